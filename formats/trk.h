@@ -1,0 +1,51 @@
+/* .trk: a track as masses, beams, springs and dampers, and as sparse matrices: trk(5).
+ *
+ * Track axes: x forward (station s), y to the right, z down, roll about x, pitch about y, right-hand rule.  A rail node has
+ * deflection w (down) and pitch t = -dw/dx; a sleeper has z and roll.  Degrees of freedom are ordered by node and bay,
+ * [wl tl wr tr] at a rail node, then [z roll] of the sleeper where there is one, which gives half bandwidth 7 with one
+ * element a bay. */
+#ifndef VX_TRK_H
+#define VX_TRK_H
+
+#include "formats/vxf.h"
+
+enum { TRK_LEFT, TRK_RIGHT, TRK_RAILS };
+enum { TRK_BALLAST = 3 };              /* springs under a sleeper: left, middle, right */
+
+struct trk {
+    char name[64];
+    double rail_spacing;               /* m, between the contact lines; rails load sleepers at its halves */
+    int64_t nodes;                     /* along each rail */
+    int64_t sleepers;
+    int64_t dofs;                      /* 4 nodes + 2 sleepers */
+    int64_t curves;
+    int64_t zones;
+    const double *x;                   /* m [nodes] station, increasing */
+    const double *bending;             /* N m2 [2][nodes - 1] of the element behind each node */
+    const double *rail_mass;           /* kg [2][nodes] lumped at the node */
+    const double *rail_inertia;        /* kg m2 [2][nodes] in pitch */
+    const double *sleeper_x;           /* m [sleepers] */
+    const int64_t *sleeper_node;       /* [sleepers] the rail node above it */
+    const int64_t *sleeper_number;     /* [sleepers] 1 is the first of the turnout; run-in counts down from 0 */
+    const double *sleeper_mass;        /* kg [sleepers] */
+    const double *sleeper_inertia;     /* kg m2 [sleepers] in roll */
+    const double *sleeper_y;           /* m [sleepers] lateral position of its centre */
+    const double *pad_k, *pad_c;       /* N/m, N s/m [2][sleepers] */
+    const double *ballast_k, *ballast_c; /* N/m, N s/m [3][sleepers] left, middle, right */
+    const double *ballast_y;           /* m [3][sleepers] from the sleeper's centre */
+    const double *curve_x;             /* m [curves] station from which the curvature holds, to the next or the end */
+    const double *curvature;           /* 1/m [curves] positive to the right; 0 before the first */
+    const char (*zone_name)[32];       /* [zones] */
+    const int64_t *pad_zone;           /* [2][sleepers] zone of the railpad, from 1; 0 in none */
+    const int64_t *node_dof;           /* [nodes] number of wl; tl, wr, tr follow */
+    const int64_t *sleeper_dof;        /* [sleepers] number of z; roll follows */
+    const int64_t *Ap, *Ai;            /* [dofs + 1], [Ap[dofs]] pattern of K, C and M: full, symmetric, by column */
+    const double *Kx, *Cx, *Mx;        /* [Ap[dofs]] SI: N/m, N, N m; and so on */
+    void *store;
+};
+
+const char *trk_read(struct trk *t, const struct vxf *f);
+const char *trk_put(const struct trk *t, struct vxf_out *o);
+void trk_free(struct trk *t);
+
+#endif
