@@ -22,9 +22,11 @@ WARN = -Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-prototype
        -Wwrite-strings -Wpointer-arith -Wundef -Wimplicit-fallthrough -Wformat=2 -Wfloat-conversion
 CFLAGS ?= -O2 -g
 STD    = -std=c17 -D_XOPEN_SOURCE=700 -fno-common -fno-math-errno -ffp-contract=off
-ALL_CFLAGS = $(STD) $(CFLAGS) $(WARN) $(if $(WERROR),-Werror) $(if $(SAN),-fsanitize=address,undefined -fno-omit-frame-pointer) \
+# The comma would end an argument of $(if).
+SANITIZE = -fsanitize=address,undefined
+ALL_CFLAGS = $(STD) $(CFLAGS) $(WARN) $(if $(WERROR),-Werror) $(if $(SAN),$(SANITIZE) -fno-omit-frame-pointer) \
              $(if $(COV),--coverage) -I. -DVX_VERSION='"$(VERSION)"'
-ALL_LDFLAGS = $(LDFLAGS) -Wl,--as-needed $(if $(SAN),-fsanitize=address,undefined) $(if $(COV),--coverage)
+ALL_LDFLAGS = $(LDFLAGS) -Wl,--as-needed $(if $(SAN),$(SANITIZE)) $(if $(COV),--coverage)
 LIBS = -lyaml -lcholmod -lklu -lamd -lcolamd -lbtf -lsuitesparseconfig -larpack -llapacke -lopenblas -lOSMesa $(PKGLIBS) -lm
 
 # A .c directly in tools/ is a program; every other .c of tools/ and formats/ goes into one archive.
