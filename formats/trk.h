@@ -41,11 +41,14 @@ struct trk {
     const int64_t *sleeper_dof;        /* [sleepers] number of z; roll follows */
     const int64_t *Ap, *Ai;            /* [dofs + 1], [Ap[dofs]] pattern of K, C and M: full, symmetric, by column */
     const double *Kx, *Cx, *Mx;        /* [Ap[dofs]] SI: N/m, N, N m; and so on */
-    void *store;
+    void *store;                       /* what trk_room gave, a chain */
 };
 
 const char *trk_read(struct trk *t, const struct vxf *f);
 const char *trk_put(const struct trk *t, struct vxf_out *o);
 void trk_free(struct trk *t);
+
+/* Zeroed room for n items that lives as long as the track, for who builds one; NULL when out of memory. */
+void *trk_room(struct trk *t, int64_t n, size_t size);
 
 #endif
