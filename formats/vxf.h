@@ -129,7 +129,7 @@ void vxf_put_tail(struct vxf_out *o, const char *name, enum vxf_type type, const
 const char *vxf_stream_begin(struct vxf_stream *s, struct vxf_out *o, FILE *stream);
 /* data[k] are `records` records of the k-th series, in the order they were put. */
 const char *vxf_stream_block(struct vxf_stream *s, int64_t records, const void *const *data);
-/* data[k] is the k-th tail array.  Where the stream can seek, the size of the file goes into its preamble. */
+/* data[k] is the k-th tail array.  The size of the file goes into its preamble, but not on standard output. */
 const char *vxf_stream_end(struct vxf_stream *s, const void *const *data);
 
 #endif

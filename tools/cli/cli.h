@@ -54,12 +54,17 @@ void cli_check(const char *name, const char *why);
 /* The command as typed, quoted where needed, without -o FILE: the CMD line of a header. */
 const char *cli_command(void);
 
-/* Opens a container of this kind, or dies. */
+/* Opens a container of this kind (any where kind is NULL), or dies. */
 void cli_open(struct vxf *f, const char *path, const char *kind);
 
 /* An output: path NULL is standard output.  A regular file is written beside its place and moved there by
  * cli_close; a binary kind is never written to a terminal. */
-struct cli_out { FILE *file; const char *path; char *temporary; };
+struct cli_out {
+    FILE *file;
+    const char *path;
+    char *temporary;             /* NULL where written directly */
+    int keep;                    /* the temporary outlives a failure */
+};
 void cli_create(struct cli_out *out, const char *path, int binary);
 /* The temporary is path.part and stays after a failure: for streams, readable while they grow. */
 void cli_create_part(struct cli_out *out, const char *path);

@@ -1,0 +1,102 @@
+/* Element types, sizes, hashes and look-ups: what reading and writing share. */
+#include "formats/vxf_disk.h"
+
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+static const struct {
+    const char *name;
+    size_t size;
+} types[VXF_TYPES] = {
+    [VXF_F64] = {"f64", 8}, [VXF_F32] = {"f32", 4}, [VXF_I64] = {"i64", 8},
+    [VXF_I32] = {"i32", 4}, [VXF_U8] = {"u8", 1},   [VXF_C128] = {"c128", 16},
+};
+
+size_t vxf_type_size(enum vxf_type type)
+{
+    return types[type].size;
+}
+
+const char *vxf_type_name(enum vxf_type type)
+{
+    return types[type].name;
+}
+
+uint64_t vxf_hash(const void *data, size_t n)
+{
+    return XXH64(data, n, 0);
+}
+
+uint64_t vxf_block_head_hash(const struct vxf_block *b)
+{
+    return vxf_hash(b, offsetof(struct vxf_block, head));
+}
+
+int64_t vxf_count(const struct vxf_array *a)
+{
+    int64_t n = 1;
+
+    for (int i = 0; i < a->ndim; i++)
+        n *= a->dim[i];
+    return n;
+}
+
+uint64_t vxf_bytes(const struct vxf_array *a, int *overflow)
+{
+    uint64_t n = types[a->type].size;
+
+    *overflow = 0;
+    for (int i = 0; i < a->ndim; i++)
+        if (a->dim[i] < 0 || __builtin_mul_overflow(n, (uint64_t)a->dim[i], &n) || n > INT64_MAX / 2) {
+            *overflow = 1;
+            return 0;
+        }
+    return n;
+}
+
+void vxf_dims_text(const struct vxf_array *a, char *text, size_t size)
+{
+    size_t used = 0;
+
+    snprintf(text, size, "scalar");
+    for (int i = 0; i < a->ndim && used < size; i++)
+        used += (size_t)snprintf(text + used, size - used, "%s%lld", i ? "x" : "", (long long)a->dim[i]);
+}
+
+const struct vxf_array *vxf_find(const struct vxf_list *list, const char *name)
+{
+    for (int i = 0; i < list->n; i++)
+        if (strcmp(list->item[i].name, name) == 0)
+            return &list->item[i];
+    return NULL;
+}
+
+/* Names, types, shapes and hashes of the arrays; of a stream also the hashes its blocks carry. */
+uint64_t vxf_content(const struct vxf *f)
+{
+    XXH64_state_t *state = XXH64_createState();
+    uint64_t hash;
+
+    if (!state)
+        return 0;
+    XXH64_reset(state, 0);
+    XXH64_update(state, f->kind, strlen(f->kind));
+    for (int i = 0; i < f->array.n; i++) {
+        const struct vxf_array *a = &f->array.item[i];
+        XXH64_update(state, a->name, strlen(a->name));
+        XXH64_update(state, &a->type, sizeof a->type);
+        XXH64_update(state, a->dim, (size_t)a->ndim * sizeof a->dim[0]);
+        XXH64_update(state, &a->hash, sizeof a->hash);
+    }
+    for (int i = 0; i < f->blocks; i++) {
+        const struct vxf_block *b = (const void *)(f->base + f->block[i]);
+        XXH64_update(state, &b->hash, sizeof b->hash);
+    }
+    hash = XXH64_digest(state);
+    XXH64_freeState(state);
+    return hash;
+}

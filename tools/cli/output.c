@@ -1,0 +1,128 @@
+/* Outputs that appear whole or not at all.
+ *
+ * A regular file is written as a temporary in its own folder, flushed to disk and renamed into place, so what existed stays until
+ * the new one is complete.  What is not a regular file (/dev/null, a named pipe) is written directly. */
+#include "tools/cli/cli.h"
+#include "tools/cli/cli_private.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum { OUTPUTS = 4 };
+static struct cli_out *open_outputs[OUTPUTS];
+
+void cli_remove_outputs(void)
+{
+    for (int i = 0; i < OUTPUTS; i++)
+        if (open_outputs[i] && open_outputs[i]->temporary && !open_outputs[i]->keep)
+            unlink(open_outputs[i]->temporary);
+}
+
+static void enrol(struct cli_out *out)
+{
+    for (int i = 0; i < OUTPUTS; i++)
+        if (!open_outputs[i]) {
+            open_outputs[i] = out;
+            return;
+        }
+    cli_die("BUG: more than %d outputs", OUTPUTS);
+}
+
+static int is_special(const char *path)
+{
+    struct stat st;
+
+    return stat(path, &st) == 0 && !S_ISREG(st.st_mode);
+}
+
+/* Standard output, or a file that is not regular.  A binary kind would only spoil a terminal. */
+static int create_directly(struct cli_out *out, const char *path, int binary)
+{
+    if (path && !is_special(path))
+        return 0;
+    out->file = path ? fopen(path, "wb") : stdout;
+    if (!out->file)
+        cli_die("%s: %s", path, strerror(errno));
+    if (binary && isatty(fileno(out->file)))
+        cli_misuse("standard output is a terminal: name a file with -o, or use a pipe");
+    return 1;
+}
+
+/* The same folder, or the rename would cross file systems; mkstemp gives mode 0600, the user's mask decides here. */
+static FILE *open_beside(char *name)
+{
+    mode_t mask = umask(0);
+    int fd = mkstemp(name);
+
+    umask(mask);
+    if (fd < 0)
+        return NULL;
+    fchmod(fd, 0666 & ~mask);
+    return fdopen(fd, "wb");
+}
+
+void cli_create(struct cli_out *out, const char *path, int binary)
+{
+    size_t n = path ? strlen(path) + 8 : 0;
+
+    *out = (struct cli_out){.path = path};
+    if (create_directly(out, path, binary))
+        return;
+    if (!(out->temporary = malloc(n)))
+        cli_die(REASON_MEMORY);
+    snprintf(out->temporary, n, "%s.XXXXXX", path);
+    out->file = open_beside(out->temporary);
+    if (!out->file)
+        cli_die("%s: %s", path, strerror(errno));
+    enrol(out);
+}
+
+void cli_create_part(struct cli_out *out, const char *path)
+{
+    size_t n = path ? strlen(path) + 6 : 0;
+
+    *out = (struct cli_out){.path = path, .keep = 1};
+    if (create_directly(out, path, 1))
+        return;
+    if (!(out->temporary = malloc(n)))
+        cli_die(REASON_MEMORY);
+    snprintf(out->temporary, n, "%s.part", path);
+    out->file = fopen(out->temporary, "wb");
+    if (!out->file)
+        cli_die("%s: %s", out->temporary, strerror(errno));
+    enrol(out);
+}
+
+void cli_close(struct cli_out *out)
+{
+    if (out->file == stdout) {
+        if (fflush(stdout) != 0)
+            cli_die("standard output: %s", strerror(errno));
+        return;
+    }
+    if (fflush(out->file) != 0 || (out->temporary && fsync(fileno(out->file)) != 0) || fclose(out->file) != 0)
+        cli_die("%s: %s", out->path, strerror(errno));
+    if (out->temporary && rename(out->temporary, out->path) != 0)
+        cli_die("%s: %s", out->path, strerror(errno));
+    for (int i = 0; i < OUTPUTS; i++)
+        if (open_outputs[i] == out)
+            open_outputs[i] = NULL;
+    free(out->temporary);
+    out->temporary = NULL;
+}
+
+void cli_write(struct vxf_out *o, const char *path)
+{
+    struct cli_out out;
+
+    vxf_put_key(o, "CMD", "%s", cli_command());
+    cli_create(&out, path, 1);
+    errno = 0;
+    const char *why = vxf_write(o, out.file);
+    if (why)
+        cli_die("%s: %s%s%s", path ? path : "standard output", why, errno ? ": " : "", errno ? strerror(errno) : "");
+    cli_close(&out);
+}
