@@ -28,6 +28,8 @@ enum ctab_column {
     CTAB_N
 };
 
+enum { CTAB_SLOTS = 8 };    /* most contacts a node may hold */
+
 struct ctab_column_info { const char *name, *unit; };
 extern const struct ctab_column_info ctab_columns[CTAB_N];
 
