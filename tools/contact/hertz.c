@@ -1,0 +1,77 @@
+/* Johnson, Contact Mechanics (1985), section 4.2.  With k the ratio of the axes, K and E the complete elliptic integrals of
+ * modulus e = sqrt(1 - k^2), and s = (K - E)/(e^2 K),
+ *
+ *     larger/smaller of A, B = (1 - s)/(k^2 s)       p0 = 3 N/(2 pi a b)
+ *     smaller A = p0 b s K/(E* a^2)                  d = p0 b K/E*            E* = G/(1 - nu) for like bodies
+ *
+ * K and s come from the arithmetic-geometric mean (Abramowitz and Stegun 17.6), without cancellation at k = 1. */
+#include "tools/contact/hertz.h"
+
+#include <math.h>
+
+/* 1/m: a flatter gap is taken as this (the floor of the ANALYN method; half-space theory fails before it). */
+#define FLATTEST 0.1
+
+/* K (1), and s of the text above, for axis ratio 0 < k <= 1. */
+static double elliptic(double k, double *s)
+{
+    double a = 0.5 * (1 + k), g = sqrt(k), c = 0.5 * (1 - k), power = 1, sum = 0;
+
+    while (c > 1e-9 * a) {                                        /* c^2 enters */
+        double next = 0.5 * (a + g);
+        c = 0.5 * (a - g);
+        g = sqrt(a * g);
+        a = next;
+        power *= 2;
+        sum += power * c * c;                                     /* 2^(n-1) c_n^2, n >= 2 */
+    }
+    *s = 0.5 + 0.25 * (1 - k) / (1 + k) + (k < 1 ? sum / ((1 - k) * (1 + k)) : 0);
+    return M_PI_2 / a;
+}
+
+/* Axis ratio k with (1 - s)/(k^2 s) = ratio >= 1: secant in logarithms, where the function is nearly straight. */
+static double axis_ratio(double ratio, double *K, double *s)
+{
+    double want = log(ratio), x = -0.636 * want, slope = -1 / 0.636, last_x = 0, last_f = 0;
+
+    for (int i = 0; ; i++) {
+        *K = elliptic(exp(x), s);
+        double f = log((1 - *s) / *s) - 2 * x;
+        if (fabs(f - want) < 1e-13 * (1 + want) || i == 20)
+            return exp(x);
+        if (i > 0 && x != last_x)
+            slope = (f - last_f) / (x - last_x);
+        last_x = x;
+        last_f = f;
+        x -= (f - want) / slope;
+        x = x > 0 ? 0 : x;
+    }
+}
+
+void hertz_contact(double A, double B, double G, double nu, struct hertz *h)
+{
+    A = A > FLATTEST ? A : FLATTEST;
+    B = B > FLATTEST ? B : FLATTEST;
+
+    double low = A < B ? A : B, high = A < B ? B : A, K, s;
+    double k = axis_ratio(high / low, &K, &s);
+    double modulus = G / (1 - nu);
+    double major = cbrt(3 * K * s / (2 * M_PI * modulus * low));  /* a^3 = 3 N s K/(2 pi E* A) */
+    double stiff = 2 * M_PI * modulus * major / (3 * K);          /* d = 3 N K/(2 pi E* a) */
+
+    h->C = stiff * sqrt(stiff);
+    h->a1 = A < B ? major : k * major;
+    h->b1 = A < B ? k * major : major;
+}
+
+void hertz_curvatures(double meridian, double around, double rail, double beta, double *A, double *B)
+{
+    double c = cos(beta), s = sin(beta);
+    double xx = around * c * c + meridian * s * s;                /* sum of the curvature tensors of both bodies */
+    double yy = around * s * s + meridian * c * c + rail;
+    double xy = (meridian - around) * c * s;
+    double mean = 0.5 * (xx + yy), half = hypot(0.5 * (yy - xx), xy);
+
+    *A = 0.5 * (xx <= yy ? mean - half : mean + half);
+    *B = 0.5 * (xx <= yy ? mean + half : mean - half);
+}

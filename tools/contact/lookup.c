@@ -1,0 +1,204 @@
+/* Interpolation within branches of contact.
+ *
+ * The rows at the eight corners of the table's cell are joined to branches: rows of one body whose place on the wheel differs by less
+ * than BRANCH.  A branch is the mean of its corners by their trilinear weights, divided by their sum W; W itself is the branch's
+ * weight, so a branch that some corners lack fades in and out continuously across the cell.  Along u the height is exact to
+ * second order: a branch at both ends of an edge gets half of each end's slope (the parabola through both), at one end its tangent.
+ *
+ * Roll turns the wheel about its running circle's lowest point.  For a wheel profile (y, z) from that point, touching where its slope
+ * is t, the profile turned by roll is (y - z roll, z + y roll), so by the envelope theorem
+ *     d(height)/d(roll) = -(y + t z),   d2(height)/d(roll)2 = -(1 + t^2) d(contact's y)/d(roll). */
+#include "tools/contact/lookup.h"
+
+#include <math.h>
+
+#define BRANCH 4e-3           /* m */
+
+enum { CORNERS = 8 };         /* bit 0 u, bit 1 yaw, bit 2 station */
+
+struct cell {
+    const double *row[CORNERS];     /* [count][CTAB_N] */
+    int count[CORNERS];
+    double weight[CORNERS];
+    double u[CORNERS];              /* m, from the corner to the query */
+    double per_s[CORNERS];          /* 1/m, derivative of the weight by station */
+    double lever[CORNERS];          /* m, adds to rail_y to give y from the running circle */
+};
+
+struct branch {
+    int held;                       /* bits of corners */
+    int rows;
+    double wheel_y, body;           /* mean place of its rows */
+    const double *row[CORNERS];
+};
+
+/* i and t of x between a[i] and a[i + 1]; t = 0 at or before the first, 1 at or beyond the last. */
+static int64_t bracket(const double *a, int64_t n, double x, double *t)
+{
+    int64_t lo = 0, hi = n - 1;
+
+    *t = 0;
+    if (n == 1 || !(x > a[0]))
+        return 0;
+    if (x >= a[hi]) {
+        *t = 1;
+        return hi - 1;
+    }
+    while (hi - lo > 1) {
+        int64_t mid = (lo + hi) / 2;
+        *(a[mid] <= x ? &lo : &hi) = mid;
+    }
+    *t = (x - a[lo]) / (a[hi] - a[lo]);
+    return lo;
+}
+
+/* The same on an even axis. */
+static int64_t even_bracket(const double *a, int64_t n, double x, double *t)
+{
+    *t = 0;
+    if (n == 1 || !(x > a[0]))
+        return 0;
+    double at = (x - a[0]) / (a[n - 1] - a[0]) * (double)(n - 1);
+    int64_t i = at < (double)(n - 1) ? (int64_t)at : n - 2;
+    *t = at - (double)i < 1 ? at - (double)i : 1;
+    return i;
+}
+
+static void cell_corners(const struct ctab *t, double s, double yaw, double u, struct cell *c)
+{
+    double ts, ty, tu;
+    int64_t is = bracket(t->station, t->stations, s, &ts);
+    int64_t iy = even_bracket(t->yaw, t->yaws, yaw, &ty);
+    int64_t iu = even_bracket(t->u, t->us, u, &tu);
+    int inside = t->stations > 1 && s >= t->station[0] && s < t->station[t->stations - 1];
+    double per_s = inside ? 1 / (t->station[is + 1] - t->station[is]) : 0;
+
+    for (int k = 0; k < CORNERS; k++) {
+        int bu = k & 1, by = k >> 1 & 1, bs = k >> 2;
+        double wu = bu ? tu : 1 - tu, wy = by ? ty : 1 - ty, ws = bs ? ts : 1 - ts;
+        c->weight[k] = wu * wy * ws;
+        c->count[k] = 0;
+        if (!(wu * wy > 0) || !(ws > 0 || (inside && bs)))        /* at a station the slope ahead still counts */
+            continue;
+        int64_t node = ((is + bs) * t->yaws + iy + by) * t->us + iu + bu;
+        c->count[k] = t->count[node];
+        c->row[k] = t->contact + node * t->slots * CTAB_N;
+        c->u[k] = u - t->u[iu + bu];
+        c->per_s[k] = (bs ? per_s : -per_s) * wu * wy;
+        c->lever[k] = t->rail_position - t->wheel_position - t->u[iu + bu];
+    }
+}
+
+/* Joins the rows of corner k to the branches, nearest first; rows left over begin branches of their own. */
+static int join_corner(const struct cell *c, int k, struct branch *b, int n)
+{
+    unsigned left = (1u << c->count[k]) - 1;
+    int old = n;
+
+    while (left) {
+        double best = BRANCH;
+        int at = -1, from = -1;
+        for (int i = 0; i < c->count[k]; i++)
+            for (int j = 0; j < old && left >> i & 1; j++) {
+                const double *row = c->row[k] + i * CTAB_N;
+                double far = fabs(row[CTAB_WHEEL_Y] - b[j].wheel_y);
+                if (far < best && row[CTAB_BODY] == b[j].body && !(b[j].held >> k & 1)) {
+                    best = far;
+                    at = j;
+                    from = i;
+                }
+            }
+        if (at < 0)
+            break;
+        const double *row = c->row[k] + from * CTAB_N;
+        b[at].wheel_y += (row[CTAB_WHEEL_Y] - b[at].wheel_y) / ++b[at].rows;
+        b[at].held |= 1 << k;
+        b[at].row[k] = row;
+        left &= ~(1u << from);
+    }
+    for (int i = 0; i < c->count[k] && n < CONTACT_MAX; i++)
+        if (left >> i & 1) {
+            const double *row = c->row[k] + i * CTAB_N;
+            b[n] = (struct branch){.held = 1 << k, .rows = 1, .wheel_y = row[CTAB_WHEEL_Y], .body = row[CTAB_BODY]};
+            b[n++].row[k] = row;
+        }
+    return n;
+}
+
+/* Mean of a branch over its corners, at roll 0. */
+static void blend(const struct cell *c, const struct branch *b, struct contact *o)
+{
+    double W = 0, W_s = 0, h = 0, h_s = 0, h_u = 0, lever = 0;
+
+    for (int i = 0; i < CTAB_N; i++)
+        o->row[i] = 0;
+    for (int k = 0; k < CORNERS; k++) {
+        if (!(b->held >> k & 1))
+            continue;
+        const double *row = b->row[k];
+        double w = c->weight[k], t = tan(row[CTAB_ANGLE]);
+        double part = b->held >> (k ^ 1) & 1 ? 0.5 : 1;
+        double height = row[CTAB_HEIGHT] + part * t * c->u[k];
+        W += w;
+        W_s += c->per_s[k];
+        h += w * height;
+        h_s += c->per_s[k] * height;
+        h_u += w * t;
+        lever += w * (row[CTAB_RAIL_Y] + c->lever[k] + t * (row[CTAB_RAIL_Z] - row[CTAB_HEIGHT]));
+        for (int i = 0; i < CTAB_N; i++)
+            o->row[i] += w * row[i];
+    }
+    o->weight = W;
+    if (!(W > 0))
+        return;
+    for (int i = 0; i < CTAB_N; i++)
+        o->row[i] /= W;
+    o->height = h / W;
+    o->height_s = (h_s - o->height * W_s) / W;
+    o->height_u = h_u / W;
+    o->height_roll = -lever / W;
+    o->row[CTAB_BODY] = b->body;
+}
+
+/* Carries a contact from roll 0 to roll. */
+static void turn(struct contact *o, double roll)
+{
+    double *row = o->row;
+    double t = tan(row[CTAB_ANGLE]), y = row[CTAB_ROLL_Y] * roll, bend = (1 + t * t) * row[CTAB_ROLL_Y];
+    double on_wheel = y + (row[CTAB_RAIL_Z] - row[CTAB_HEIGHT]) * roll;
+
+    o->height += (o->height_roll - 0.5 * bend * roll) * roll;
+    o->height_roll -= bend * roll;
+    row[CTAB_RAIL_Y] += y;
+    row[CTAB_RAIL_Z] += t * y;
+    row[CTAB_WHEEL_Y] += on_wheel;
+    row[CTAB_RADIUS] += t * on_wheel;
+    row[CTAB_ANGLE] += row[CTAB_RAIL_K] / cos(row[CTAB_ANGLE]) * y;
+    row[CTAB_HEIGHT] = o->height;
+}
+
+int contact_lookup(const struct ctab *t, double s, double yaw, double u, double roll, struct contact *c)
+{
+    struct cell cell;
+    struct branch branch[CONTACT_MAX];
+    int branches = 0, n = 0;
+
+    if (!(u >= t->u[0] && u <= t->u[t->us - 1]))
+        return -1;
+    cell_corners(t, s, yaw, u, &cell);
+    for (int k = 0; k < CORNERS; k++)
+        if (cell.count[k])
+            branches = join_corner(&cell, k, branch, branches);
+    for (int j = 0; j < branches; j++) {
+        struct contact one;
+        blend(&cell, &branch[j], &one);
+        if (!(one.weight > 0))
+            continue;
+        turn(&one, roll);
+        int i = n++;
+        for (; i > 0 && c[i - 1].height > one.height; i--)
+            c[i] = c[i - 1];
+        c[i] = one;
+    }
+    return n;
+}
