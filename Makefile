@@ -7,6 +7,9 @@ MANPREFIX ?= $(PREFIX)/share/man
 CC ?= cc
 -include config.mk
 
+# make V=1 shows whole commands.
+Q = $(if $(V),,@)
+
 # Debian packages: what a build needs, what the tests need beside it.
 PACKAGES  = gcc libc6-dev make pkg-config libyaml-dev libxxhash-dev libsuitesparse-dev libarpack2-dev libopenblas-dev \
             liblapacke-dev libhdf5-dev libosmesa6-dev libfreetype-dev libfontconfig-dev libpng-dev fonts-dejavu-core
@@ -53,19 +56,22 @@ endif
 
 $(BUILD)/%.o: %.c $(FLAGS) | $(DEPS)
 	@mkdir -p $(@D)
-	$(CC) $(ALL_CFLAGS) $(PKGCFLAGS) $(HOT) -MMD -MP -c -o $@ $<
+	@echo "cc $<"
+	$(Q)$(CC) $(ALL_CFLAGS) $(PKGCFLAGS) $(HOT) -MMD -MP -c -o $@ $<
 
 $(BUILD)/libvx.a: $(ARCHIVED)
-	rm -f $@
-	ar rcsD $@ $^
+	$(Q)rm -f $@
+	$(Q)ar rcsD $@ $^
 
 $(BUILD)/bin/%: $(BUILD)/tools/%.o $(BUILD)/libvx.a
 	@mkdir -p $(@D)
-	$(CC) $(ALL_LDFLAGS) -o $@ $^ $(LIBS)
+	@echo "ld $@"
+	$(Q)$(CC) $(ALL_LDFLAGS) -o $@ $^ $(LIBS)
 
 $(BUILD)/tests/%: $(BUILD)/tests/kernel/%.o $(BUILD)/libvx.a
 	@mkdir -p $(@D)
-	$(CC) $(ALL_LDFLAGS) -o $@ $^ $(LIBS)
+	@echo "ld $@"
+	$(Q)$(CC) $(ALL_LDFLAGS) -o $@ $^ $(LIBS)
 
 -include $(patsubst %.o,%.d,$(ARCHIVED)) $(PROGRAMS:$(BUILD)/bin/%=$(BUILD)/tools/%.d) $(TESTS:$(BUILD)/tests/%=$(BUILD)/tests/kernel/%.d)
 

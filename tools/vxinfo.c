@@ -66,7 +66,7 @@ static void print_file(const struct vxf *f, const char *name)
 
 int main(int argc, char **argv)
 {
-    static char *standard_input[] = {"-"};
+    static char dash[] = "-", *standard_input[] = {dash};
     int n;
     char **path = cli_begin(&program, argc, argv, 0, 1 << 20, &n);
 
