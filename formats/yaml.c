@@ -352,12 +352,12 @@ static const char *walk_root(struct walk *w, const struct yaml_schema *schema, s
     return why ? why : walk_map(w, schema, top, object);
 }
 
-const char *yaml_read(const char *path, const struct yaml_schema *schema, char *const *set, int sets, void *object,
-                      uint64_t *hash)
+static const char *read_from(const char *path, const char *text_, const struct yaml_schema *schema, char *const *set, int sets,
+                             void *object, uint64_t *hash)
 {
     struct walk w = {.path = strcmp(path, "-") ? path : "standard input", .hash = XXH64_createState()};
     struct yaml_node *root = NULL;
-    const char *why = w.hash ? yaml_tree_read(path, NULL, &root) : REASON_MEMORY;
+    const char *why = w.hash ? yaml_tree_read(path, text_, &root) : REASON_MEMORY;
 
     memset(object, 0, schema->size);
     if (!why) {
@@ -371,6 +371,18 @@ const char *yaml_read(const char *path, const struct yaml_schema *schema, char *
     if (why)
         yaml_free(schema, object);
     return why;
+}
+
+const char *yaml_read(const char *path, const struct yaml_schema *schema, char *const *set, int sets, void *object,
+                      uint64_t *hash)
+{
+    return read_from(path, NULL, schema, set, sets, object, hash);
+}
+
+const char *yaml_read_text(const char *text_, const struct yaml_schema *schema, char *const *set, int sets, void *object,
+                           uint64_t *hash)
+{
+    return read_from("text", text_, schema, set, sets, object, hash);
 }
 
 void yaml_free(const struct yaml_schema *schema, void *object)

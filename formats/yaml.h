@@ -62,6 +62,9 @@ struct yaml_schema {
  * each "key.key.3.key=value" counted below the root key, list items from 1.  *hash covers the values read, not comments or layout. */
 const char *yaml_read(const char *path, const struct yaml_schema *schema, char *const *set, int sets, void *object,
                       uint64_t *hash);
+/* The same from a text that no file holds. */
+const char *yaml_read_text(const char *text, const struct yaml_schema *schema, char *const *set, int sets, void *object,
+                           uint64_t *hash);
 void yaml_free(const struct yaml_schema *schema, void *object);
 
 /* Every key, a line each: path, type, unit, range, default, help. */
