@@ -369,7 +369,7 @@ static const char *read_from(const char *path, const char *text_, const struct y
     yaml_tree_free(root);
     XXH64_freeState(w.hash);
     if (why)
-        yaml_free(schema, object);
+        yaml_release(schema, object);
     return why;
 }
 
@@ -385,7 +385,7 @@ const char *yaml_read_text(const char *text_, const struct yaml_schema *schema, 
     return read_from("text", text_, schema, set, sets, object, hash);
 }
 
-void yaml_free(const struct yaml_schema *schema, void *object)
+void yaml_release(const struct yaml_schema *schema, void *object)
 {
     for (const struct yaml_field *f = schema->field; f->key; f++) {
         void *at = (char *)object + f->at;
@@ -398,10 +398,10 @@ void yaml_free(const struct yaml_schema *schema, void *object)
             free(((struct yaml_table *)at)->at);
             free(((struct yaml_table *)at)->value);
         } else if (f->type == YAML_MAP)
-            yaml_free(f->sub, at);
+            yaml_release(f->sub, at);
         else if (f->type == YAML_LIST) {
             for (int64_t i = 0; i < list->n; i++)
-                yaml_free(f->sub, (char *)list->item + (size_t)i * f->sub->size);
+                yaml_release(f->sub, (char *)list->item + (size_t)i * f->sub->size);
             free(list->item);
         }
     }

@@ -65,7 +65,8 @@ const char *yaml_read(const char *path, const struct yaml_schema *schema, char *
 /* The same from a text that no file holds. */
 const char *yaml_read_text(const char *text, const struct yaml_schema *schema, char *const *set, int sets, void *object,
                            uint64_t *hash);
-void yaml_free(const struct yaml_schema *schema, void *object);
+/* Not yaml_free: libyaml exports that name, and would call ours. */
+void yaml_release(const struct yaml_schema *schema, void *object);
 
 /* Every key, a line each: path, type, unit, range, default, help. */
 void yaml_print_schema(const struct yaml_schema *schema, FILE *out);
