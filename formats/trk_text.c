@@ -1,0 +1,153 @@
+/* The schema of a track input and the checks between its keys. */
+#include "formats/trk_text.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "formats/reason.h"
+#include "formats/trk.h"
+
+#define AT(type, member) offsetof(struct type, member)
+
+static const char *const MASS_MODELS[] = {"lumped", NULL};
+static const char *const BEAMS[] = {"euler", NULL};
+static const char *const RAILS[] = {"left", "right", "both", NULL};
+
+static const struct yaml_field RAIL_FIELDS[] = {
+    {"bending_stiffness", YAML_TABLE, AT(trk_text_rail, bending_stiffness), YAML_POSITIVE, 1e12, "N m2", NULL,
+     "vertical bending stiffness EI of each rail; within an element the mean flexibility counts", NULL, NULL},
+    {"mass", YAML_NUM, AT(trk_text_rail, mass), YAML_POSITIVE, 1e5, "kg/m", NULL, "of each rail", NULL, NULL},
+    {"pitch_inertia", YAML_NUM, AT(trk_text_rail, pitch_inertia), YAML_POSITIVE, 1e5, "kg m2", NULL,
+     "of each rail node; it sets the pinned-pinned frequency", NULL, NULL},
+    {"mass_model", YAML_CHOICE, AT(trk_text_rail, mass_model), 0, 0, "", "lumped", "mass at the nodes", NULL, MASS_MODELS},
+    {"beam", YAML_CHOICE, AT(trk_text_rail, beam), 0, 0, "", "euler", "beam theory", NULL, BEAMS},
+    {"elements_per_bay", YAML_INT, AT(trk_text_rail, elements_per_bay), 1, 20, "", "1", "beam elements between sleepers", NULL,
+     NULL},
+    {0}};
+
+static const struct yaml_field SLEEPER_FIELDS[] = {
+    {"spacing", YAML_NUM, AT(trk_text_sleeper, spacing), 0.1, 10, "m", NULL, "centre to centre", NULL, NULL},
+    {"mass", YAML_TABLE, AT(trk_text_sleeper, mass), YAML_POSITIVE, 1e6, "kg", NULL, "of each sleeper", NULL, NULL},
+    {"roll_inertia", YAML_TABLE, AT(trk_text_sleeper, roll_inertia), YAML_POSITIVE, 1e7, "kg m2", NULL,
+     "about the track's direction, through the sleeper's centre", NULL, NULL},
+    {"length", YAML_TABLE, AT(trk_text_sleeper, length), 0.1, 20, "m", NULL, "across the track", NULL, NULL},
+    {"centre", YAML_TABLE, AT(trk_text_sleeper, centre), -10, 10, "m", "0", "lateral position of its centre, right of the track's",
+     NULL, NULL},
+    {"pitch_inertia", YAML_NUM, AT(trk_text_sleeper, pitch_inertia), 0, 1e7, "kg m2", "0",
+     "about its own length; no part of the vertical track", NULL, NULL},
+    {0}};
+
+static const struct yaml_field PAD_FIELDS[] = {
+    {"stiffness", YAML_TABLE, AT(trk_text_pad, stiffness), YAML_POSITIVE, 1e12, "N/m", NULL, "of each railpad", NULL, NULL},
+    {"damping", YAML_TABLE, AT(trk_text_pad, damping), 0, 1e9, "N s/m", NULL, "of each railpad", NULL, NULL},
+    {0}};
+
+static const struct yaml_field BALLAST_FIELDS[] = {
+    {"stiffness", YAML_TABLE, AT(trk_text_ballast, stiffness), YAML_POSITIVE, 1e12, "N/m", NULL,
+     "of a whole sleeper; left, middle and right each take a third", NULL, NULL},
+    {"damping", YAML_TABLE, AT(trk_text_ballast, damping), 0, 1e9, "N s/m", NULL, "of a whole sleeper, in thirds", NULL, NULL},
+    {"edge", YAML_NUM, AT(trk_text_ballast, edge), 0, 10, "m", "0.35", "outer springs, from the ends of the sleeper", NULL, NULL},
+    {0}};
+
+static const struct yaml_field CURVE_FIELDS[] = {
+    {"from", YAML_NUM, AT(trk_text_curve, from), -1e6, 1e6, "m", NULL, "station from which it holds, to the next one", NULL, NULL},
+    {"curvature", YAML_NUM, AT(trk_text_curve, curvature), -1, 1, "1/m", NULL, "positive to the right", NULL, NULL},
+    {0}};
+
+static const struct yaml_field ZONE_PAD_FIELDS[] = {
+    {"stiffness", YAML_NUM, AT(trk_text_zone_pad, stiffness), YAML_POSITIVE, 1e12, "N/m", YAML_ABSENT, "instead of the reference",
+     NULL, NULL},
+    {"damping", YAML_NUM, AT(trk_text_zone_pad, damping), YAML_POSITIVE, 1e9, "N s/m", YAML_ABSENT, "instead of the reference", NULL,
+     NULL},
+    {0}};
+
+static const struct yaml_schema RAIL = {"rail", sizeof(struct trk_text_rail), RAIL_FIELDS};
+static const struct yaml_schema SLEEPER = {"sleeper", sizeof(struct trk_text_sleeper), SLEEPER_FIELDS};
+static const struct yaml_schema PAD = {"railpad", sizeof(struct trk_text_pad), PAD_FIELDS};
+static const struct yaml_schema BALLAST = {"ballast", sizeof(struct trk_text_ballast), BALLAST_FIELDS};
+static const struct yaml_schema CURVE = {"curve", sizeof(struct trk_text_curve), CURVE_FIELDS};
+static const struct yaml_schema ZONE_PAD = {"railpad", sizeof(struct trk_text_zone_pad), ZONE_PAD_FIELDS};
+
+static const struct yaml_field ZONE_FIELDS[] = {
+    {"name", YAML_TEXT, AT(trk_text_zone, name), 0, 0, "", NULL, "of the zone, up to 31 letters", NULL, NULL},
+    {"sleepers", YAML_PAIRS, AT(trk_text_zone, sleepers), -1e6, 1e6, "", NULL, "numbers of the first and the last, each range a pair",
+     NULL, NULL},
+    {"rail", YAML_CHOICE, AT(trk_text_zone, rail), 0, 0, "", "both", "whose railpads", NULL, RAILS},
+    {"railpad", YAML_MAP, AT(trk_text_zone, railpad), 0, 0, "", YAML_ABSENT, "of this zone", &ZONE_PAD, NULL},
+    {0}};
+
+static const struct yaml_schema ZONE = {"zone", sizeof(struct trk_text_zone), ZONE_FIELDS};
+
+static const struct yaml_field TRACK_FIELDS[] = {
+    {"name", YAML_TEXT, AT(trk_text, name), 0, 0, "", NULL, "of the track, up to 63 letters", NULL, NULL},
+    {"from", YAML_NUM, AT(trk_text, from), -1e6, 1e6, "m", NULL, "station where the bay of the first sleeper begins", NULL, NULL},
+    {"length", YAML_NUM, AT(trk_text, length), YAML_POSITIVE, 1e5, "m", NULL, "a whole number of sleeper spacings", NULL, NULL},
+    {"first_sleeper", YAML_NUM, AT(trk_text, first_sleeper), -1e6, 1e6, "m", "0", "station where the bay of sleeper number 1 begins",
+     NULL, NULL},
+    {"rail_spacing", YAML_NUM, AT(trk_text, rail_spacing), 0.1, 10, "m", "1.5", "between the contact lines", NULL, NULL},
+    {"rail", YAML_MAP, AT(trk_text, rail), 0, 0, "", NULL, "both rails", &RAIL, NULL},
+    {"sleeper", YAML_MAP, AT(trk_text, sleeper), 0, 0, "", NULL, "a rigid bar", &SLEEPER, NULL},
+    {"railpad", YAML_MAP, AT(trk_text, railpad), 0, 0, "", NULL, "the reference, where no zone says otherwise", &PAD, NULL},
+    {"ballast", YAML_MAP, AT(trk_text, ballast), 0, 0, "", NULL, "three springs and dampers under a sleeper", &BALLAST, NULL},
+    {"curve", YAML_LIST, AT(trk_text, curve), 0, 0, "", YAML_ABSENT, "curvature along the track; straight before the first", &CURVE,
+     NULL},
+    {"zone", YAML_LIST, AT(trk_text, zone), 0, 0, "", YAML_ABSENT, "railpads of their own", &ZONE, NULL},
+    {0}};
+
+const struct yaml_schema TRK_TEXT_SCHEMA = {"track", sizeof(struct trk_text), TRACK_FIELDS};
+
+static const char *check_curve(const struct yaml_list *curve)
+{
+    const struct trk_text_curve *c = curve->item;
+
+    for (int64_t i = 1; i < curve->n; i++)
+        if (!(c[i].from > c[i - 1].from))
+            return reason("curve.%lld.from: %g must be beyond the %g of the one before", (long long)i + 1, c[i].from, c[i - 1].from);
+    return NULL;
+}
+
+static const char *check_zone(const struct trk_text_zone *z, int64_t number)
+{
+    if (strlen(z->name) >= sizeof *((struct trk *)NULL)->zone_name)
+        return reason("zone.%lld.name: \"%s\" is longer than 31 letters", (long long)number, z->name);
+    for (int64_t i = 0; i < z->sleepers.n; i += 2) {
+        double first = z->sleepers.x[i], last = z->sleepers.x[i + 1];
+        if (floor(first) < first || floor(last) < last || last < first)
+            return reason("zone.%lld.sleepers: [%g, %g] must be two whole numbers, the first not above the last", (long long)number,
+                          first, last);
+    }
+    return NULL;
+}
+
+static const char *check(const struct trk_text *in)
+{
+    const struct trk_text_zone *z = in->zone.item;
+    const char *why;
+
+    if (strlen(in->name) >= sizeof ((struct trk *)NULL)->name)
+        return reason("name: \"%s\" is longer than 63 letters", in->name);
+    if ((why = check_curve(&in->curve)))
+        return why;
+    for (int64_t k = 0; k < in->zone.n; k++)
+        if ((why = check_zone(&z[k], k + 1)))
+            return why;
+    return NULL;
+}
+
+const char *trk_text_read(struct trk_text *in, const char *path, char *const *set, int sets, uint64_t *hash)
+{
+    const char *why = yaml_read(path, &TRK_TEXT_SCHEMA, set, sets, in, hash);
+    if (why)
+        return why;
+    why = check(in);
+    if (why) {
+        trk_text_free(in);
+        return reason("%s: error: %s", strcmp(path, "-") ? path : "standard input", why);
+    }
+    return NULL;
+}
+
+void trk_text_free(struct trk_text *in)
+{
+    yaml_release(&TRK_TEXT_SCHEMA, in);
+}

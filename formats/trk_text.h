@@ -1,0 +1,65 @@
+/* The track input written by people: track-input(5).
+ *
+ * SI units; stations along x, curvature positive to the right, y to the right, sleepers numbered from 1 at the turnout. */
+#ifndef VX_TRK_TEXT_H
+#define VX_TRK_TEXT_H
+
+#include "formats/yaml.h"
+
+enum { TRK_TEXT_LEFT, TRK_TEXT_RIGHT, TRK_TEXT_BOTH };   /* zone.rail */
+
+struct trk_text_rail {
+    struct yaml_table bending_stiffness;  /* N m2 */
+    double mass;                          /* kg/m */
+    double pitch_inertia;                 /* kg m2 per node */
+    int mass_model, beam;                 /* one of each so far: lumped, euler */
+    int64_t elements_per_bay;
+};
+
+struct trk_text_sleeper {
+    double spacing;                       /* m */
+    struct yaml_table mass;               /* kg */
+    struct yaml_table roll_inertia;       /* kg m2 */
+    struct yaml_table length;             /* m */
+    struct yaml_table centre;             /* m, lateral, from the track's centre line */
+    double pitch_inertia;                 /* kg m2, not used by a vertical track */
+};
+
+struct trk_text_pad { struct yaml_table stiffness, damping; };  /* N/m, N s/m */
+
+struct trk_text_ballast {
+    struct yaml_table stiffness, damping; /* N/m, N s/m of a whole sleeper */
+    double edge;                          /* m, outer springs from the ends of the sleeper */
+};
+
+struct trk_text_curve { double from, curvature; };              /* m, 1/m */
+
+struct trk_text_zone_pad { double stiffness, damping; };        /* N/m, N s/m; 0 keeps the reference */
+
+struct trk_text_zone {
+    char *name;
+    struct yaml_nums sleepers;            /* numbers, first and last of each range */
+    int rail;                             /* TRK_TEXT_LEFT, ... */
+    struct trk_text_zone_pad railpad;
+};
+
+struct trk_text {
+    char *name;
+    double from, length;                  /* m */
+    double first_sleeper;                 /* m, station where the bay of sleeper 1 begins */
+    double rail_spacing;                  /* m */
+    struct trk_text_rail rail;
+    struct trk_text_sleeper sleeper;
+    struct trk_text_pad railpad;
+    struct trk_text_ballast ballast;
+    struct yaml_list curve;               /* of struct trk_text_curve */
+    struct yaml_list zone;                /* of struct trk_text_zone */
+};
+
+extern const struct yaml_schema TRK_TEXT_SCHEMA;
+
+/* As yaml_read, and the checks between keys. */
+const char *trk_text_read(struct trk_text *in, const char *path, char *const *set, int sets, uint64_t *hash);
+void trk_text_free(struct trk_text *in);
+
+#endif

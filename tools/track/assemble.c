@@ -1,0 +1,136 @@
+/* Beam elements between the rail nodes, a spring and damper from each rail to each sleeper (railpad), three from each sleeper to
+ * the ground (ballast), lumped masses.  A spring of stiffness k and extension e = d.u gives K += k d d'.
+ *
+ * z down, y to the right: the point y of a sleeper goes down by z + y roll. */
+#include "tools/track/assemble.h"
+
+#include "formats/reason.h"
+#include "tools/track/beam.h"
+
+/* The matrix X being filled, on the pattern of the track. */
+struct matrix { const int64_t *Ap, *Ai; double *x; };
+
+static void add(const struct matrix *X, int64_t i, int64_t j, double value)
+{
+    for (int64_t p = X->Ap[j]; p < X->Ap[j + 1]; p++)
+        if (X->Ai[p] == i)
+            X->x[p] += value;
+}
+
+/* dof, d: [n] */
+static void add_spring(const struct matrix *X, double k, int n, const int64_t *dof, const double *d)
+{
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < n; j++)
+            add(X, dof[i], dof[j], k * (d[i] * d[j]));
+}
+
+/* Entries: 2 x 2 at each node and rail and 2 x 4 to the next node, 2 x 2 of each sleeper and 2 x 2 to each rail. */
+static int64_t count_entries(const struct trk *t)
+{
+    return TRK_RAILS * (4 * t->nodes + 8 * (t->nodes - 1)) + (4 + 4 * TRK_RAILS) * t->sleepers;
+}
+
+/* Degrees of freedom that column w or t of a rail at node i meets, increasing; sleeper is -1 where w has none. */
+static int64_t put_rail_column(const struct trk *t, int64_t i, int rail, int64_t sleeper, int64_t *Ai)
+{
+    int64_t n = 0;
+
+    for (int64_t j = i - 1; j <= i + 1; j++) {
+        if (j < 0 || j >= t->nodes)
+            continue;
+        Ai[n++] = t->node_dof[j] + 2 * rail;
+        Ai[n++] = t->node_dof[j] + 2 * rail + 1;
+        if (j == i && sleeper >= 0) {
+            Ai[n++] = t->sleeper_dof[sleeper];
+            Ai[n++] = t->sleeper_dof[sleeper] + 1;
+        }
+    }
+    return n;
+}
+
+static void fill_pattern(const struct trk *t, int64_t *Ap, int64_t *Ai)
+{
+    int64_t column = 0, p = 0;
+
+    for (int64_t i = 0, k = 0; i < t->nodes; i++) {
+        int64_t sleeper = k < t->sleepers && t->sleeper_node[k] == i ? k++ : -1;
+        for (int c = 0; c < 2 * TRK_RAILS; c++) {                  /* wl tl wr tr: only w meets the sleeper */
+            Ap[column++] = p;
+            p += put_rail_column(t, i, c / 2, c % 2 ? -1 : sleeper, Ai + p);
+        }
+        for (int c = 0; c < 2 && sleeper >= 0; c++) {              /* z roll */
+            Ap[column++] = p;
+            Ai[p++] = t->node_dof[i];
+            Ai[p++] = t->node_dof[i] + 2;
+            Ai[p++] = t->sleeper_dof[sleeper];
+            Ai[p++] = t->sleeper_dof[sleeper] + 1;
+        }
+    }
+    Ap[column] = p;
+}
+
+static void add_beams(const struct trk *t, const struct matrix *K)
+{
+    for (int rail = 0; rail < TRK_RAILS; rail++)
+        for (int64_t i = 0; i < t->nodes - 1; i++) {
+            const int64_t near = t->node_dof[i] + 2 * rail, far = t->node_dof[i + 1] + 2 * rail;
+            const int64_t dof[4] = {near, near + 1, far, far + 1};
+            double k[4][4];
+            beam_stiffness(t->bending[rail * (t->nodes - 1) + i], t->x[i + 1] - t->x[i], k);
+            for (int a = 0; a < 4; a++)
+                for (int b = 0; b < 4; b++)
+                    add(K, dof[a], dof[b], k[a][b]);
+        }
+}
+
+/* pad [2][sleepers] and ballast [3][sleepers]: stiffness for K, damping for C. */
+static void add_supports(const struct trk *t, const struct matrix *X, const double *pad, const double *ballast)
+{
+    for (int64_t s = 0; s < t->sleepers; s++) {
+        const int64_t z = t->sleeper_dof[s], roll = z + 1;
+        for (int rail = 0; rail < TRK_RAILS; rail++) {
+            const double arm = (rail == TRK_LEFT ? -0.5 : 0.5) * t->rail_spacing - t->sleeper_y[s];
+            add_spring(X, pad[rail * t->sleepers + s], 3, (int64_t[]){t->node_dof[t->sleeper_node[s]] + 2 * rail, z, roll},
+                       (double[]){1, -1, -arm});                   /* e = w - (z + arm roll) */
+        }
+        for (int b = 0; b < TRK_BALLAST; b++)
+            add_spring(X, ballast[b * t->sleepers + s], 2, (int64_t[]){z, roll}, (double[]){1, t->ballast_y[b * t->sleepers + s]});
+    }
+}
+
+static void add_masses(const struct trk *t, const struct matrix *M)
+{
+    for (int rail = 0; rail < TRK_RAILS; rail++)
+        for (int64_t i = 0; i < t->nodes; i++) {
+            const int64_t w = t->node_dof[i] + 2 * rail;
+            add(M, w, w, t->rail_mass[rail * t->nodes + i]);
+            add(M, w + 1, w + 1, t->rail_inertia[rail * t->nodes + i]);
+        }
+    for (int64_t s = 0; s < t->sleepers; s++) {
+        const int64_t z = t->sleeper_dof[s];
+        add(M, z, z, t->sleeper_mass[s]);
+        add(M, z + 1, z + 1, t->sleeper_inertia[s]);
+    }
+}
+
+const char *assemble_track(struct trk *t)
+{
+    const int64_t entries = count_entries(t);
+    int64_t *Ap = trk_room(t, t->dofs + 1, sizeof *Ap), *Ai = trk_room(t, entries, sizeof *Ai);
+    double *K = trk_room(t, entries, sizeof *K), *C = trk_room(t, entries, sizeof *C), *M = trk_room(t, entries, sizeof *M);
+
+    if (!Ap || !Ai || !K || !C || !M)
+        return REASON_MEMORY;
+    fill_pattern(t, Ap, Ai);
+    add_beams(t, &(struct matrix){Ap, Ai, K});
+    add_supports(t, &(struct matrix){Ap, Ai, K}, t->pad_k, t->ballast_k);
+    add_supports(t, &(struct matrix){Ap, Ai, C}, t->pad_c, t->ballast_c);
+    add_masses(t, &(struct matrix){Ap, Ai, M});
+    t->Ap = Ap;
+    t->Ai = Ai;
+    t->Kx = K;
+    t->Cx = C;
+    t->Mx = M;
+    return NULL;
+}

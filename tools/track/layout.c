@@ -1,0 +1,214 @@
+/* Sleepers stand in the middle of equal bays; rail nodes stand on the sleepers and divide the rail between them into equal
+ * elements.  The rails end, free, at the outermost sleepers; the half bay beyond is mass at the end nodes, so that a node of a
+ * 0.6 m bay carries 36 kg of a 60 kg/m rail also there. */
+#include "tools/track/layout.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "formats/reason.h"
+
+static const double WHOLE = 1e-6;      /* length / spacing may differ this much from a whole number */
+
+static double *numbers(struct trk *t, int64_t n)
+{
+    return trk_room(t, n, sizeof(double));
+}
+
+/* Sleeper number as a continuous function of the station: 1 in the middle of the first bay from first_sleeper. */
+static double number_at(const struct trk_text *in, double x)
+{
+    return (x - in->first_sleeper) / in->sleeper.spacing + 0.5;
+}
+
+static double at_station(const struct yaml_table *table, const struct trk_text *in, double x)
+{
+    return yaml_table_at(table, x, number_at(in, x));
+}
+
+/* EI of an element with the mean flexibility: L / int dx / EI(x), Gauss with three points. */
+static double bending_of(const struct trk_text *in, double from, double to)
+{
+    static const double at[3] = {-0.774596669241483377, 0, 0.774596669241483377}, weight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
+    double flexibility = 0;
+
+    for (int g = 0; g < 3; g++)
+        flexibility += weight[g] / at_station(&in->rail.bending_stiffness, in, 0.5 * (from + to) + 0.5 * (to - from) * at[g]);
+    return 1 / flexibility;
+}
+
+static const char *lay_rails(struct trk *t, const struct trk_text *in)
+{
+    const int64_t n = t->nodes;
+    const double h = in->sleeper.spacing / (double)in->rail.elements_per_bay;
+    double *x = numbers(t, n), *bending = numbers(t, TRK_RAILS * (n - 1));
+    double *mass = numbers(t, TRK_RAILS * n), *inertia = numbers(t, TRK_RAILS * n);
+
+    if (!x || !bending || !mass || !inertia)
+        return REASON_MEMORY;
+    for (int64_t i = 0; i < n; i++)
+        x[i] = in->from + in->sleeper.spacing / 2 + (double)i * h;
+    for (int64_t i = 0; i < n; i++) {
+        double tributary = i == 0 || i == n - 1 ? (h + in->sleeper.spacing) / 2 : h;
+        for (int r = 0; r < TRK_RAILS; r++) {
+            mass[r * n + i] = in->rail.mass * tributary;
+            inertia[r * n + i] = in->rail.pitch_inertia;
+            if (i < n - 1)
+                bending[r * (n - 1) + i] = bending_of(in, x[i], x[i + 1]);
+        }
+    }
+    t->x = x;
+    t->bending = bending;
+    t->rail_mass = mass;
+    t->rail_inertia = inertia;
+    return NULL;
+}
+
+static const char *lay_sleepers(struct trk *t, const struct trk_text *in)
+{
+    const int64_t n = t->sleepers;
+    double *x = numbers(t, n), *mass = numbers(t, n), *inertia = numbers(t, n), *y = numbers(t, n);
+    int64_t *node = trk_room(t, n, sizeof *node), *number = trk_room(t, n, sizeof *number);
+
+    if (!x || !mass || !inertia || !y || !node || !number)
+        return REASON_MEMORY;
+    for (int64_t k = 0; k < n; k++) {
+        node[k] = k * in->rail.elements_per_bay;
+        x[k] = t->x[node[k]];
+        number[k] = (int64_t)floor(number_at(in, x[0]) + 0.5 + WHOLE) + k;
+        mass[k] = at_station(&in->sleeper.mass, in, x[k]);
+        inertia[k] = at_station(&in->sleeper.roll_inertia, in, x[k]);
+        y[k] = at_station(&in->sleeper.centre, in, x[k]);
+    }
+    t->sleeper_x = x;
+    t->sleeper_node = node;
+    t->sleeper_number = number;
+    t->sleeper_mass = mass;
+    t->sleeper_inertia = inertia;
+    t->sleeper_y = y;
+    return NULL;
+}
+
+static const char *lay_ballast(struct trk *t, const struct trk_text *in)
+{
+    const int64_t n = t->sleepers;
+    double *k = numbers(t, TRK_BALLAST * n), *c = numbers(t, TRK_BALLAST * n), *y = numbers(t, TRK_BALLAST * n);
+
+    if (!k || !c || !y)
+        return REASON_MEMORY;
+    for (int64_t s = 0; s < n; s++) {
+        double x = t->sleeper_x[s], length = at_station(&in->sleeper.length, in, x), arm = length / 2 - in->ballast.edge;
+        if (!(arm > 0))
+            return reason("sleeper %lld of length %g m is too short for ballast springs %g m from its ends",
+                          (long long)t->sleeper_number[s], length, in->ballast.edge);
+        for (int b = 0; b < TRK_BALLAST; b++) {
+            k[b * n + s] = at_station(&in->ballast.stiffness, in, x) / TRK_BALLAST;
+            c[b * n + s] = at_station(&in->ballast.damping, in, x) / TRK_BALLAST;
+            y[b * n + s] = (b - 1) * arm;
+        }
+    }
+    t->ballast_k = k;
+    t->ballast_c = c;
+    t->ballast_y = y;
+    return NULL;
+}
+
+/* Number 1.. of the zone that holds the railpad of this sleeper and rail; 0 where none does, -1 where two do. */
+static int64_t zone_of(const struct trk_text *in, int64_t number, int rail)
+{
+    const struct trk_text_zone *z = in->zone.item;
+    int64_t found = 0;
+
+    for (int64_t k = 0; k < in->zone.n; k++)
+        for (int64_t i = 0; i < z[k].sleepers.n; i += 2)
+            if ((z[k].rail == TRK_TEXT_BOTH || z[k].rail == rail) && (double)number >= z[k].sleepers.x[i] &&
+                (double)number <= z[k].sleepers.x[i + 1])
+                found = found ? -1 : k + 1;
+    return found;
+}
+
+static const char *lay_pads(struct trk *t, const struct trk_text *in)
+{
+    const int64_t n = t->sleepers;
+    double *k = numbers(t, TRK_RAILS * n), *c = numbers(t, TRK_RAILS * n);
+    int64_t *zone = trk_room(t, TRK_RAILS * n, sizeof *zone);
+    char (*name)[32] = trk_room(t, in->zone.n, sizeof *name);
+    const struct trk_text_zone *z = in->zone.item;
+
+    if (!k || !c || !zone || !name)
+        return REASON_MEMORY;
+    for (int64_t i = 0; i < in->zone.n; i++)
+        strncpy(name[i], z[i].name, sizeof name[i] - 1);
+    for (int64_t i = 0; i < TRK_RAILS * n; i++) {
+        int64_t s = i % n, found = zone_of(in, t->sleeper_number[s], (int)(i / n));
+        if (found < 0)
+            return reason("the %s railpad of sleeper %lld is in two zones", i < n ? "left" : "right", (long long)t->sleeper_number[s]);
+        const struct trk_text_zone_pad own = found ? z[found - 1].railpad : (struct trk_text_zone_pad){0};
+        zone[i] = found;
+        k[i] = own.stiffness > 0 ? own.stiffness : at_station(&in->railpad.stiffness, in, t->sleeper_x[s]);
+        c[i] = own.damping > 0 ? own.damping : at_station(&in->railpad.damping, in, t->sleeper_x[s]);
+    }
+    t->pad_k = k;
+    t->pad_c = c;
+    t->pad_zone = zone;
+    t->zones = in->zone.n;
+    t->zone_name = (const char (*)[32])name;
+    return NULL;
+}
+
+static const char *lay_curve(struct trk *t, const struct trk_text *in)
+{
+    double *x = numbers(t, in->curve.n), *curvature = numbers(t, in->curve.n);
+    const struct trk_text_curve *c = in->curve.item;
+
+    if (!x || !curvature)
+        return REASON_MEMORY;
+    for (int64_t i = 0; i < in->curve.n; i++) {
+        x[i] = c[i].from;
+        curvature[i] = c[i].curvature;
+    }
+    t->curves = in->curve.n;
+    t->curve_x = x;
+    t->curvature = curvature;
+    return NULL;
+}
+
+/* [wl tl wr tr] at each node, then [z roll] of the sleeper below it. */
+static const char *number_dofs(struct trk *t)
+{
+    int64_t *node = trk_room(t, t->nodes, sizeof *node), *sleeper = trk_room(t, t->sleepers, sizeof *sleeper);
+    int64_t dof = 0;
+
+    if (!node || !sleeper)
+        return REASON_MEMORY;
+    for (int64_t i = 0, k = 0; i < t->nodes; i++) {
+        node[i] = dof;
+        dof += 4;
+        if (k < t->sleepers && t->sleeper_node[k] == i) {
+            sleeper[k++] = dof;
+            dof += 2;
+        }
+    }
+    t->node_dof = node;
+    t->sleeper_dof = sleeper;
+    t->dofs = dof;
+    return NULL;
+}
+
+const char *layout_track(struct trk *t, const struct trk_text *in)
+{
+    const double bays = in->length / in->sleeper.spacing;
+    const char *why;
+
+    memset(t, 0, sizeof *t);
+    strncpy(t->name, in->name, sizeof t->name - 1);
+    t->rail_spacing = in->rail_spacing;
+    t->sleepers = (int64_t)floor(bays + 0.5);
+    t->nodes = (t->sleepers - 1) * in->rail.elements_per_bay + 1;
+    if (t->sleepers < 2 || fabs(bays - (double)t->sleepers) > WHOLE)
+        return reason("length %g m is not a whole number, two or more, of sleeper spacings of %g m", in->length, in->sleeper.spacing);
+    if ((why = lay_rails(t, in)) || (why = lay_sleepers(t, in)) || (why = lay_ballast(t, in)) || (why = lay_pads(t, in)) ||
+        (why = lay_curve(t, in)))
+        return why;
+    return number_dofs(t);
+}
