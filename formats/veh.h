@@ -27,6 +27,7 @@ struct veh {
     const char (*coupling_name)[32]; /* [couplings] */
     const int64_t *type;             /* [couplings] enum veh_coupling */
     const int64_t *ends;             /* [couplings][2] bodies; force and moment are those on the second */
+    const int64_t *bearing;          /* [couplings] which end, 0 or 1, sits on the axle of a wheelset, whose pitch it does not see; else -1 */
     const double *point;             /* m [couplings][3] common point at rest, x y z as cg */
     const double *stiffness;         /* N/m, N m/rad [couplings][6] x y z, roll pitch yaw */
     const double *damping;           /* N s/m, N m s/rad [couplings][6] */
@@ -41,6 +42,9 @@ struct veh {
     const double *K, *C, *M;         /* [6 bodies][6 bodies] about rest, wheelsets included; degrees of freedom by body */
     void *store;
 };
+
+/* A vehicle being built: n zeroed items of this size, which live as long as it does; NULL without memory. */
+void *veh_room(struct veh *v, int64_t n, size_t size);
 
 const char *veh_read(struct veh *v, const struct vxf *f);
 const char *veh_put(const struct veh *v, struct vxf_out *o);
