@@ -1,0 +1,268 @@
+/* Reading, checking and writing a vehicle.  One table says what is stored; the checks are what every user of a vehicle relies on:
+ * masses and inertias, couplings between two different bodies of the list, stops that rise from zero, wheelsets from the front. */
+#include "formats/veh.h"
+
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "formats/reason.h"
+
+/* Sizes an array may have. */
+enum size { ONE, TWO, AXES, DOFS, BODIES, COUPLINGS, FIRSTS, KNOTS, WHEELSETS, ROWS, LETTERS, SIZES };
+
+struct entry {
+    const char *name, *unit;
+    enum vxf_type type;
+    int ndim;
+    enum size dim[2];
+    size_t at;
+};
+
+#define AT(member) offsetof(struct veh, member)
+
+static const struct entry TABLE[] = {
+    {"body.name",          "1",             VXF_U8,  2, {BODIES, LETTERS},    AT(body_name)},
+    {"body.mass",          "kg",            VXF_F64, 1, {BODIES, ONE},        AT(mass)},
+    {"body.inertia",       "kg.m2",         VXF_F64, 2, {BODIES, AXES},       AT(inertia)},
+    {"body.cg",            "m",             VXF_F64, 2, {BODIES, AXES},       AT(cg)},
+    {"coupling.name",      "1",             VXF_U8,  2, {COUPLINGS, LETTERS}, AT(coupling_name)},
+    {"coupling.type",      "1",             VXF_I64, 1, {COUPLINGS, ONE},     AT(type)},
+    {"coupling.ends",      "1",             VXF_I64, 2, {COUPLINGS, TWO},     AT(ends)},
+    {"coupling.bearing",   "1",             VXF_I64, 1, {COUPLINGS, ONE},     AT(bearing)},
+    {"coupling.point",     "m",             VXF_F64, 2, {COUPLINGS, AXES},    AT(point)},
+    {"coupling.stiffness", "N/m,N.m/rad",   VXF_F64, 2, {COUPLINGS, DOFS},    AT(stiffness)},
+    {"coupling.damping",   "N.s/m,Nms/rad", VXF_F64, 2, {COUPLINGS, DOFS},    AT(damping)},
+    {"coupling.preload",   "N",             VXF_F64, 2, {COUPLINGS, AXES},    AT(preload)},
+    {"stop.axis",          "1",             VXF_I64, 1, {COUPLINGS, ONE},     AT(stop_axis)},
+    {"knot.first",         "1",             VXF_I64, 1, {FIRSTS, ONE},        AT(knot_first)},
+    {"knot.at",            "m",             VXF_F64, 1, {KNOTS, ONE},         AT(knot_at)},
+    {"knot.force",         "N",             VXF_F64, 1, {KNOTS, ONE},         AT(knot_force)},
+    {"wheelset.body",      "1",             VXF_I64, 1, {WHEELSETS, ONE},     AT(wheelset)},
+    {"wheelset.radius",    "m",             VXF_F64, 1, {WHEELSETS, ONE},     AT(radius)},
+    {"wheelset.load",      "N",             VXF_F64, 2, {WHEELSETS, TWO},     AT(wheel_load)},
+    {"K",                  "SI",            VXF_F64, 2, {ROWS, ROWS},         AT(K)},
+    {"C",                  "SI",            VXF_F64, 2, {ROWS, ROWS},         AT(C)},
+    {"M",                  "SI",            VXF_F64, 2, {ROWS, ROWS},         AT(M)},
+};
+
+enum { ENTRIES = sizeof TABLE / sizeof TABLE[0] };
+
+static const char *get(struct veh *v, const struct vxf *f, const struct entry *e, int64_t size[SIZES])
+{
+    int64_t dim[VXF_DIMS];
+    const void *data;
+
+    for (int k = 0; k < e->ndim; k++)
+        dim[k] = size[e->dim[k]];
+    const char *why = vxf_get(f, e->name, e->type, e->unit, e->ndim, dim, &data);
+    if (why)
+        return why;
+    for (int k = 0; k < e->ndim; k++)
+        size[e->dim[k]] = dim[k];
+    if (size[BODIES] >= 0)
+        size[ROWS] = VEH_DOFS * size[BODIES];
+    if (size[COUPLINGS] >= 0)
+        size[FIRSTS] = size[COUPLINGS] + 1;
+    memcpy((char *)v + e->at, &data, sizeof data);
+    return NULL;
+}
+
+static const char *check_names(const char *array, const char (*name)[32], int64_t n)
+{
+    for (int64_t i = 0; i < n; i++) {
+        if (!memchr(name[i], 0, sizeof name[i]) || !name[i][0])
+            return reason("array %s: no name at %lld", array, (long long)i);
+        for (int64_t k = 0; k < i; k++)
+            if (!strcmp(name[i], name[k]))
+                return reason("array %s: two are named %s", array, name[i]);
+    }
+    return NULL;
+}
+
+static const char *check_bodies(const struct veh *v)
+{
+    static const char axis[] = "xyz";
+
+    for (int64_t i = 0; i < v->bodies; i++) {
+        if (!(v->mass[i] > 0))
+            return reason("body %s: mass %g kg must be positive", v->body_name[i], v->mass[i]);
+        for (int k = 0; k < 3; k++)
+            if (!(v->inertia[3*i + k] > 0))
+                return reason("body %s: inertia %g kg m2 about %c must be positive", v->body_name[i], v->inertia[3*i + k], axis[k]);
+    }
+    return NULL;
+}
+
+static const char *check_wheelsets(const struct veh *v)
+{
+    if (v->wheelsets < 1)
+        return "no wheelset";
+    for (int64_t w = 0; w < v->wheelsets; w++) {
+        int64_t i = v->wheelset[w];
+        if (i < 0 || i >= v->bodies)
+            return reason("array wheelset.body: no body %lld", (long long)i);
+        if (!(v->radius[w] > 0))
+            return reason("wheelset %s: radius %g m must be positive", v->body_name[i], v->radius[w]);
+        if (w && !(v->cg[3*i] < v->cg[3*v->wheelset[w - 1]]))
+            return reason("wheelset %s: x %g m is not behind the wheelset before it", v->body_name[i], v->cg[3*i]);
+    }
+    if (v->cg[3*v->wheelset[0]] != 0)
+        return reason("wheelset %s: x %g m, but x counts from the first wheelset", v->body_name[v->wheelset[0]],
+                      v->cg[3*v->wheelset[0]]);
+    return NULL;
+}
+
+static int is_wheelset(const struct veh *v, int64_t body)
+{
+    for (int64_t w = 0; w < v->wheelsets; w++)
+        if (v->wheelset[w] == body)
+            return 1;
+    return 0;
+}
+
+/* The axlebox of a wheelset sits on its axle, and no coupling joins two wheelsets, so that pitch is the spin of a wheelset alone. */
+static const char *check_ends(const struct veh *v, int64_t c)
+{
+    const int64_t *end = &v->ends[2*c];
+    int wheelset[2];
+
+    for (int k = 0; k < 2; k++) {
+        if (end[k] < 0 || end[k] >= v->bodies)
+            return reason("coupling %s: no body %lld", v->coupling_name[c], (long long)end[k]);
+        wheelset[k] = is_wheelset(v, end[k]);
+        const double *at = &v->point[3*c], *cg = &v->cg[3*end[k]];
+        if (wheelset[k] && (at[VEH_X] != cg[VEH_X] || at[VEH_Z] != cg[VEH_Z]))
+            return reason("coupling %s: must sit on the axle of wheelset %s, at x %g, height %g", v->coupling_name[c],
+                          v->body_name[end[k]], cg[VEH_X], -cg[VEH_Z]);
+    }
+    if (end[0] == end[1])
+        return reason("coupling %s: joins body %s to itself", v->coupling_name[c], v->body_name[end[0]]);
+    if (wheelset[0] && wheelset[1])
+        return reason("coupling %s: joins two wheelsets; join each to a frame", v->coupling_name[c]);
+    if (v->bearing[c] != (wheelset[0] ? 0 : wheelset[1] ? 1 : -1))
+        return reason("coupling %s: bearing %lld is not the end at a wheelset", v->coupling_name[c], (long long)v->bearing[c]);
+    return NULL;
+}
+
+static const char *check_law(const struct veh *v, int64_t c)
+{
+    if (v->type[c] != VEH_BUSHING && v->type[c] != VEH_STOP)
+        return reason("coupling %s: no type %lld", v->coupling_name[c], (long long)v->type[c]);
+    if (v->stop_axis[c] < VEH_X || v->stop_axis[c] > VEH_Z)
+        return reason("stop %s: no axis %lld", v->coupling_name[c], (long long)v->stop_axis[c]);
+    for (int k = 0; k < VEH_DOFS; k++)
+        if (v->stiffness[VEH_DOFS*c + k] < 0 || v->damping[VEH_DOFS*c + k] < 0)
+            return reason("coupling %s: a stiffness or damping is negative", v->coupling_name[c]);
+    return NULL;
+}
+
+/* Knots of a stop: at least two, increasing from the clearance, where the force is zero. */
+static const char *check_knots(const struct veh *v, int64_t c)
+{
+    int64_t first = v->knot_first[c], last = v->knot_first[c + 1];
+    const double *x = v->knot_at, *F = v->knot_force;
+    const char *name = v->coupling_name[c];
+
+    if (first < 0 || last < first || last > v->knots)
+        return reason("array knot.first: out of order or range at %lld", (long long)c);
+    if (v->type[c] != VEH_STOP)
+        return last > first ? reason("coupling %s: only a stop has knots", name) : NULL;
+    if (last - first < 2)
+        return reason("stop %s: its table needs two rows", name);
+    if (x[first] < 0 || F[first] != 0)
+        return reason("stop %s: its table must start at a clearance >= 0 with force 0, not at %g m with %g N", name, x[first], F[first]);
+    for (int64_t k = first + 1; k < last; k++)
+        if (!(x[k] > x[k - 1]) || F[k] < F[k - 1])
+            return reason("stop %s: its table does not rise at %g m", name, x[k]);
+    return NULL;
+}
+
+static const char *check(const struct veh *v)
+{
+    const char *why;
+
+    if (!(v->gravity >= 0))
+        return reason("gravity %g m/s2 must not be negative", v->gravity);
+    if ((why = check_names("body.name", v->body_name, v->bodies)) ||
+        (why = check_names("coupling.name", v->coupling_name, v->couplings)) ||
+        (why = check_bodies(v)) || (why = check_wheelsets(v)))
+        return why;
+    for (int64_t c = 0; c < v->couplings; c++)
+        if ((why = check_ends(v, c)) || (why = check_law(v, c)) || (why = check_knots(v, c)))
+            return why;
+    if (v->knot_first[0] != 0 || v->knot_first[v->couplings] != v->knots)
+        return reason("array knot.first: must run from 0 to the %lld knots", (long long)v->knots);
+    return NULL;
+}
+
+const char *veh_read(struct veh *v, const struct vxf *f)
+{
+    int64_t size[SIZES];
+    const char *why;
+
+    memset(v, 0, sizeof *v);
+    for (int k = 0; k < SIZES; k++)
+        size[k] = -1;
+    size[TWO] = 2;
+    size[AXES] = 3;
+    size[DOFS] = VEH_DOFS;
+    size[LETTERS] = sizeof v->body_name[0];
+    const void *gravity;
+    if ((why = vxf_is(f, "veh")) || (why = vxf_key(f, "NAME", v->name, sizeof v->name)) ||
+        (why = vxf_get(f, "gravity", VXF_F64, "m/s2", 0, NULL, &gravity)))
+        return why;
+    v->gravity = *(const double *)gravity;
+    for (int k = 0; k < ENTRIES; k++)
+        if ((why = get(v, f, &TABLE[k], size)))
+            return why;
+    v->bodies = size[BODIES];
+    v->couplings = size[COUPLINGS];
+    v->wheelsets = size[WHEELSETS];
+    v->knots = size[KNOTS];
+    return check(v);
+}
+
+const char *veh_put(const struct veh *v, struct vxf_out *o)
+{
+    const char *why = check(v);
+    if (why)
+        return why;
+    const int64_t size[SIZES] = {
+        [TWO] = 2, [AXES] = 3, [DOFS] = VEH_DOFS, [BODIES] = v->bodies, [COUPLINGS] = v->couplings, [FIRSTS] = v->couplings + 1,
+        [KNOTS] = v->knots, [WHEELSETS] = v->wheelsets, [ROWS] = VEH_DOFS * v->bodies, [LETTERS] = sizeof v->body_name[0]};
+    vxf_put_key(o, "NAME", "%s", v->name);
+    vxf_put(o, "gravity", VXF_F64, "m/s2", 0, NULL, &v->gravity);
+    for (int k = 0; k < ENTRIES; k++) {
+        const struct entry *e = &TABLE[k];
+        const int64_t dim[2] = {size[e->dim[0]], size[e->dim[1]]};
+        const void *data;
+        memcpy(&data, (const char *)v + e->at, sizeof data);
+        vxf_put(o, e->name, e->type, e->unit, e->ndim, dim, data);
+    }
+    return NULL;
+}
+
+/* The room after its head, which points to the room before it and keeps the alignment of malloc. */
+union head { union head *next; max_align_t align; };
+
+void *veh_room(struct veh *v, int64_t n, size_t size)
+{
+    if (n < 0 || (uint64_t)n > (SIZE_MAX - sizeof(union head)) / size)
+        return NULL;
+    union head *h = calloc(1, sizeof *h + (size_t)n * size);
+    if (!h)
+        return NULL;
+    h->next = v->store;
+    v->store = h;
+    return h + 1;
+}
+
+void veh_free(struct veh *v)
+{
+    for (union head *h = v->store, *next; h; h = next) {
+        next = h->next;
+        free(h);
+    }
+    memset(v, 0, sizeof *v);
+}
