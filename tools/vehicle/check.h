@@ -1,0 +1,19 @@
+/* Whether a vehicle is what its author meant: weight, balance, and that nothing is loose. */
+#ifndef VX_CHECK_H
+#define VX_CHECK_H
+
+#include "formats/veh.h"
+
+struct check {
+    double mass;            /* kg */
+    double cg[3];           /* m, of the whole, x from the first wheelset, z = -height */
+    double weight;          /* N */
+    double wheels;          /* N, sum of the static wheel loads */
+};
+
+void check_balance(const struct veh *v, struct check *k);
+
+/* The first motion that no spring holds, wheelsets held, or that falls over. */
+const char *check_support(const struct veh *v);
+
+#endif
