@@ -22,6 +22,8 @@ const struct ctab_column_info ctab_columns[CTAB_N] = {
     [CTAB_HERTZ_C] = {"hertz_c", "N/m^1.5"},
     [CTAB_HERTZ_A] = {"hertz_a", "m/N^(1/3)"},
     [CTAB_HERTZ_B] = {"hertz_b", "m/N^(1/3)"},
+    [CTAB_HEIGHT_U] = {"height_u", "1"},
+    [CTAB_HEIGHT_ROLL] = {"height_roll", "m/rad"},
     [CTAB_ROLL_Y] = {"roll_y", "m/rad"},
     [CTAB_BODY] = {"body", "1"},
 };

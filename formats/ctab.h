@@ -23,6 +23,8 @@ enum ctab_column {
     CTAB_HERTZ_C,     /* N/m^1.5, N = C d^1.5 with d the approach along the normal */
     CTAB_HERTZ_A,     /* m/N^(1/3), longitudinal semi-axis a = A N^(1/3) */
     CTAB_HERTZ_B,     /* m/N^(1/3), lateral semi-axis */
+    CTAB_HEIGHT_U,    /* 1, derivative of the height by u: the slope of the contact plane */
+    CTAB_HEIGHT_ROLL, /* m/rad, derivative of the height by roll of the wheelset at fixed u */
     CTAB_ROLL_Y,      /* m/rad, derivative of the contact point's y by roll of the wheelset at fixed u */
     CTAB_BODY,        /* number of the rail body in the .prof, from 0 */
     CTAB_N
