@@ -5,9 +5,8 @@
  * weight, so a branch that some corners lack fades in and out continuously across the cell.  Along u the height is exact to
  * second order: a branch at both ends of an edge gets half of each end's slope (the parabola through both), at one end its tangent.
  *
- * Roll turns the wheel about its running circle's lowest point.  For a wheel profile (y, z) from that point, touching where its slope
- * is t, the profile turned by roll is (y - z roll, z + y roll), so by the envelope theorem
- *     d(height)/d(roll) = -(y + t z),   d2(height)/d(roll)2 = -(1 + t^2) d(contact's y)/d(roll). */
+ * Roll carries the height to second order, d2(height)/d(roll)2 = -(1 + height_u^2) d(contact's y)/d(roll), and the place of the contact to
+ * first. */
 #include "tools/contact/lookup.h"
 
 #include <math.h>
@@ -22,7 +21,6 @@ struct cell {
     double weight[CORNERS];
     double u[CORNERS];              /* m, from the corner to the query */
     double per_s[CORNERS];          /* 1/m, derivative of the weight by station */
-    double lever[CORNERS];          /* m, adds to rail_y to give y from the running circle */
 };
 
 struct branch {
@@ -85,7 +83,6 @@ static void cell_corners(const struct ctab *t, double s, double yaw, double u, s
         c->row[k] = t->contact + node * t->slots * CTAB_N;
         c->u[k] = u - t->u[iu + bu];
         c->per_s[k] = (bs ? per_s : -per_s) * wu * wy;
-        c->lever[k] = t->rail_position - t->wheel_position - t->u[iu + bu];
     }
 }
 
@@ -128,53 +125,47 @@ static int join_corner(const struct cell *c, int k, struct branch *b, int n)
 /* Mean of a branch over its corners, at roll 0. */
 static void blend(const struct cell *c, const struct branch *b, struct contact *o)
 {
-    double W = 0, W_s = 0, h = 0, h_s = 0, h_u = 0, lever = 0;
+    double W = 0, W_s = 0, h = 0, h_s = 0, sum[CTAB_N] = {0};
 
-    for (int i = 0; i < CTAB_N; i++)
-        o->row[i] = 0;
     for (int k = 0; k < CORNERS; k++) {
         if (!(b->held >> k & 1))
             continue;
         const double *row = b->row[k];
-        double w = c->weight[k], t = tan(row[CTAB_ANGLE]);
-        double part = b->held >> (k ^ 1) & 1 ? 0.5 : 1;
-        double height = row[CTAB_HEIGHT] + part * t * c->u[k];
+        double w = c->weight[k], part = b->held >> (k ^ 1) & 1 ? 0.5 : 1;
+        double height = row[CTAB_HEIGHT] + part * row[CTAB_HEIGHT_U] * c->u[k];
         W += w;
         W_s += c->per_s[k];
         h += w * height;
         h_s += c->per_s[k] * height;
-        h_u += w * t;
-        lever += w * (row[CTAB_RAIL_Y] + c->lever[k] + t * (row[CTAB_RAIL_Z] - row[CTAB_HEIGHT]));
         for (int i = 0; i < CTAB_N; i++)
-            o->row[i] += w * row[i];
+            sum[i] += w * row[i];
     }
     o->weight = W;
     if (!(W > 0))
         return;
     for (int i = 0; i < CTAB_N; i++)
-        o->row[i] /= W;
+        o->row[i] = sum[i] / W;
     o->height = h / W;
     o->height_s = (h_s - o->height * W_s) / W;
-    o->height_u = h_u / W;
-    o->height_roll = -lever / W;
     o->row[CTAB_BODY] = b->body;
 }
 
 /* Carries a contact from roll 0 to roll. */
 static void turn(struct contact *o, double roll)
 {
-    double *row = o->row;
-    double t = tan(row[CTAB_ANGLE]), y = row[CTAB_ROLL_Y] * roll, bend = (1 + t * t) * row[CTAB_ROLL_Y];
-    double on_wheel = y + (row[CTAB_RAIL_Z] - row[CTAB_HEIGHT]) * roll;
+    double *row = o->row, t = row[CTAB_HEIGHT_U], bend = (1 + t * t) * row[CTAB_ROLL_Y];
+    double y = row[CTAB_ROLL_Y] * roll, on_wheel = y + (row[CTAB_RAIL_Z] - row[CTAB_HEIGHT]) * roll;
 
-    o->height += (o->height_roll - 0.5 * bend * roll) * roll;
-    o->height_roll -= bend * roll;
+    o->height += (row[CTAB_HEIGHT_ROLL] - 0.5 * bend * roll) * roll;
+    o->height_u = t;
+    o->height_roll = row[CTAB_HEIGHT_ROLL] - bend * roll;
     row[CTAB_RAIL_Y] += y;
     row[CTAB_RAIL_Z] += t * y;
     row[CTAB_WHEEL_Y] += on_wheel;
     row[CTAB_RADIUS] += t * on_wheel;
-    row[CTAB_ANGLE] += row[CTAB_RAIL_K] / cos(row[CTAB_ANGLE]) * y;
+    row[CTAB_ANGLE] += row[CTAB_RAIL_K] * sqrt(1 + t * t) * y;
     row[CTAB_HEIGHT] = o->height;
+    row[CTAB_HEIGHT_ROLL] = o->height_roll;
 }
 
 int contact_lookup(const struct ctab *t, double s, double yaw, double u, double roll, struct contact *c)

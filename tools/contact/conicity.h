@@ -1,0 +1,12 @@
+/* Equivalent conicity by Klingel's motion, after EN 15302. */
+#ifndef VX_CONTACT_CONICITY_H
+#define VX_CONTACT_CONICITY_H
+
+#include <stdint.h>
+
+/* Rolling radius differences dr (m, right minus left) at displacements y (m) [n], increasing; amplitude (m), distance e of the
+ * contact points (m), rolling radius r0 (m).  *conicity (1) and *wavelength (m; 0 where there is none, conicity 0). */
+const char *conicity_klingel(const double *y, const double *dr, int64_t n, double amplitude, double e, double r0, double *conicity,
+                             double *wavelength);
+
+#endif

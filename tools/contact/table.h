@@ -1,0 +1,30 @@
+/* The contact table of one wheel on one rail: station x yaw x lateral displacement.
+ *
+ * Track axes: x forward, y to the right, z down.  Left sides are the exact mirror image of right ones. */
+#ifndef VX_CONTACT_TABLE_H
+#define VX_CONTACT_TABLE_H
+
+#include "formats/ctab.h"
+#include "formats/prof.h"
+
+/* Raise it by hand when the kernels' numbers change: part of the key of cached tables. */
+enum { TABLE_REVISION = 1 };
+
+enum table_yaw {
+    TABLE_NONE,              /* the orthogonal wheelset: one yaw, 0 */
+    TABLE_EXACT              /* silhouette of the yawed wheel (locus.h) */
+};
+
+struct table_grid {
+    double u_max, u_step;    /* m, u runs over -u_max .. u_max; the step is that of the gap search too */
+    double yaw_max;          /* rad */
+    int64_t yaws;            /* over -yaw_max .. yaw_max, both included */
+    double shear_modulus;    /* Pa */
+    double poisson;          /* 1 */
+};
+
+/* Fills t, to be released by ctab_free. */
+const char *table_fill(struct ctab *t, const struct prof *wheel, const struct prof *rail, enum table_yaw method,
+                       const struct table_grid *g);
+
+#endif
