@@ -1,8 +1,8 @@
 /* Element types, sizes, hashes and look-ups: what reading and writing share. */
 #include "formats/vxf_disk.h"
 
+#include <math.h>
 #include <stddef.h>
-#include <stdlib.h>
 #include <string.h>
 
 #define XXH_INLINE_ALL
@@ -29,6 +29,16 @@ const char *vxf_type_name(enum vxf_type type)
 uint64_t vxf_hash(const void *data, size_t n)
 {
     return XXH64(data, n, 0);
+}
+
+uint64_t vxf_header_hash(const struct vxf_preamble *p, const char *text)
+{
+    XXH64_state_t state;
+
+    XXH64_reset(&state, 0);
+    XXH64_update(&state, p, offsetof(struct vxf_preamble, size));
+    XXH64_update(&state, text, p->header);
+    return XXH64_digest(&state);
 }
 
 uint64_t vxf_block_head_hash(const struct vxf_block *b)
@@ -75,28 +85,50 @@ const struct vxf_array *vxf_find(const struct vxf_list *list, const char *name)
     return NULL;
 }
 
-/* Names, types, shapes and hashes of the arrays; of a stream also the hashes its blocks carry. */
+int vxf_finite(enum vxf_type type, const void *data, int64_t n)
+{
+    const double *x = data;
+    const float *y = data;
+
+    if (type == VXF_F64 || type == VXF_C128) {
+        for (int64_t i = 0; i < (type == VXF_C128 ? 2 * n : n); i++)
+            if (!isfinite(x[i]))
+                return 0;
+    } else if (type == VXF_F32)
+        for (int64_t i = 0; i < n; i++)
+            if (!isfinite(y[i]))
+                return 0;
+    return 1;
+}
+
+int vxf_is_history(const char *line)
+{
+    static const char *const history[] = {"SOFTWARE= ", "CMD= ", "INPUT= "};
+
+    for (size_t k = 0; k < sizeof history / sizeof *history; k++)
+        if (strncmp(line, history[k], strlen(history[k])) == 0)
+            return 1;
+    return 0;
+}
+
+/* The ARRAY lines carry the hashes of the arrays; the blocks of a stream carry their own, its tail is hashed here. */
 uint64_t vxf_content(const struct vxf *f)
 {
-    XXH64_state_t *state = XXH64_createState();
-    uint64_t hash;
+    XXH64_state_t state;
+    int overflow;
 
-    if (!state)
-        return 0;
-    XXH64_reset(state, 0);
-    XXH64_update(state, f->kind, strlen(f->kind));
-    for (int i = 0; i < f->array.n; i++) {
-        const struct vxf_array *a = &f->array.item[i];
-        XXH64_update(state, a->name, strlen(a->name));
-        XXH64_update(state, &a->type, sizeof a->type);
-        XXH64_update(state, a->dim, (size_t)a->ndim * sizeof a->dim[0]);
-        XXH64_update(state, &a->hash, sizeof a->hash);
+    XXH64_reset(&state, 0);
+    XXH64_update(&state, f->kind, strlen(f->kind));
+    for (const char *line = f->header, *end; *line; line = end + 1) {
+        end = strchr(line, '\n');
+        if (!vxf_is_history(line))
+            XXH64_update(&state, line, (size_t)(end + 1 - line));
     }
     for (int i = 0; i < f->blocks; i++) {
         const struct vxf_block *b = (const void *)(f->base + f->block[i]);
-        XXH64_update(state, &b->hash, sizeof b->hash);
+        XXH64_update(&state, &b->hash, sizeof b->hash);
     }
-    hash = XXH64_digest(state);
-    XXH64_freeState(state);
-    return hash;
+    for (int i = 0; i < f->tail.n && f->complete; i++)
+        XXH64_update(&state, f->tail.item[i].data, vxf_bytes(&f->tail.item[i], &overflow));
+    return XXH64_digest(&state);
 }

@@ -17,8 +17,8 @@ enum vxf_type { VXF_F64, VXF_F32, VXF_I64, VXF_I32, VXF_U8, VXF_C128, VXF_TYPES 
 enum { VXF_DIMS = 6, VXF_NAME = 32, VXF_UNIT = 16, VXF_KIND = 8 };
 
 struct vxf_array {
-    char name[VXF_NAME];
-    char unit[VXF_UNIT];     /* "m", "N/m", "1" where there is none */
+    char name[VXF_NAME];     /* printable, without blanks; stands once in a file */
+    char unit[VXF_UNIT];     /* "m", "N/m", "1" where there is none, "text" for u8 rows of NUL-padded text */
     enum vxf_type type;
     int ndim;                /* 0 is a scalar */
     int64_t dim[VXF_DIMS];   /* [ndim], the last varies fastest; of a SERIES: of one record */
@@ -77,8 +77,11 @@ const char *vxf_get_tail(const struct vxf *f, const char *name, enum vxf_type ty
 
 const struct vxf_array *vxf_find(const struct vxf_list *list, const char *name);
 
-/* Hash of what the file holds: names, types, shapes and data of its arrays, not its history. */
+/* Hash of what the file holds: keys, names, types, shapes, units and data, not its history. */
 uint64_t vxf_content(const struct vxf *f);
+
+/* The header line tells how the file was made (SOFTWARE, CMD, INPUT), not what it holds. */
+int vxf_is_history(const char *line);
 
 size_t vxf_type_size(enum vxf_type type);
 const char *vxf_type_name(enum vxf_type type);

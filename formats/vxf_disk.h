@@ -23,7 +23,7 @@ struct vxf_preamble {
     char kind[8];      /* zero-padded */
     uint64_t header;   /* bytes of header text */
     uint64_t size;     /* bytes of the file; 0 where unknown: a stream on a pipe, or not complete */
-    uint64_t hash;     /* xxh64 of the header text */
+    uint64_t hash;     /* xxh64 of the 32 bytes from magic to header, then the header text */
     uint64_t zero[2];
 };
 
@@ -47,6 +47,7 @@ static inline uint64_t vxf_pad(uint64_t n)
 }
 
 uint64_t vxf_hash(const void *data, size_t n);
+uint64_t vxf_header_hash(const struct vxf_preamble *p, const char *text); /* text[p->header] */
 uint64_t vxf_block_head_hash(const struct vxf_block *b);
 
 /* Bytes of one array, or of one record of a series; 0 with *overflow set where it does not fit. */
@@ -54,5 +55,16 @@ uint64_t vxf_bytes(const struct vxf_array *a, int *overflow);
 
 /* The dims as text, "3x4" or "scalar". */
 void vxf_dims_text(const struct vxf_array *a, char *text, size_t size);
+
+/* Parts of vxf_open: the preamble against the size of the file, then the header into lists. */
+const char *vxf_check_preamble(const struct vxf *f, const struct vxf_preamble *p);
+const char *vxf_parse_header(struct vxf *f, const struct vxf_preamble *p);
+
+/* Parts of writing: preamble, header and arrays; *size is their length, written into the preamble unless blocks follow. */
+const char *vxf_write_head(const struct vxf_out *o, FILE *stream, uint64_t *size);
+const char *vxf_write_all(FILE *stream, const void *data, size_t n);
+
+/* Every number of data[n] is finite; whole numbers always are. */
+int vxf_finite(enum vxf_type type, const void *data, int64_t n);
 
 #endif

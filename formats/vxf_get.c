@@ -52,21 +52,15 @@ const char *vxf_number(const struct vxf *f, const char *key, double *value)
 
 static const char *check_finite(const struct vxf_array *a, const void *data, int64_t n)
 {
-    const double *x = data;
-    const float *y = data;
-    int64_t bad = -1;
+    const unsigned char *p = data;
+    size_t size = vxf_type_size(a->type);
+    int64_t i = 0;
 
-    if (a->type == VXF_C128)
-        n *= 2;
-    if (a->type == VXF_F64 || a->type == VXF_C128) {
-        for (int64_t i = 0; i < n && bad < 0; i++)
-            if (!isfinite(x[i]))
-                bad = i;
-    } else if (a->type == VXF_F32)
-        for (int64_t i = 0; i < n && bad < 0; i++)
-            if (!isfinite(y[i]))
-                bad = i;
-    return bad < 0 ? NULL : reason("array %s: not a finite number at %lld", a->name, (long long)bad);
+    if (vxf_finite(a->type, data, n))
+        return NULL;
+    while (vxf_finite(a->type, p + (size_t)i * size, 1))
+        i++;
+    return reason("array %s: not a finite number at %lld", a->name, (long long)i);
 }
 
 static const char *check_shape(const struct vxf_list *list, const char *what, const char *name, enum vxf_type type,

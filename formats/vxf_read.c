@@ -32,6 +32,8 @@ static const char *slurp(struct vxf *f, int fd)
         if (n < 0 && errno != EINTR)
             return strerror(errno);
         f->size += n > 0 ? (size_t)n : 0;
+        if (f->size >= 8 && memcmp(f->base, VXF_MAGIC, 4) != 0)
+            return "not a Veksel file";
     }
 }
 
@@ -55,122 +57,6 @@ static const char *map_or_slurp(struct vxf *f, const char *path)
         why = slurp(f, fd);
     if (fd != STDIN_FILENO)
         close(fd);
-    return why;
-}
-
-/* ---- preamble and header ---- */
-
-static const char *check_preamble(const struct vxf *f, const struct vxf_preamble *p)
-{
-    if (f->size < sizeof *p)
-        return f->size == 0 ? "empty file" : "not a Veksel file (shorter than a preamble)";
-    if (memcmp(p->magic, VXF_MAGIC, 4) != 0)
-        return "not a Veksel file";
-    if (memcmp(p->magic, VXF_MAGIC, sizeof p->magic) != 0)
-        return "damaged by a transfer as text";
-    if (p->order != VXF_ORDER)
-        return "written with another byte order";
-    if (p->version != VXF_VERSION)
-        return reason("format version %u, this program reads %d", p->version, VXF_VERSION);
-    if (p->zero[0] || p->zero[1] || !memchr(p->kind, 0, sizeof p->kind))
-        return "damaged preamble";
-    if (p->header > VXF_HEADER_MAX || p->header > f->size - sizeof *p)
-        return "truncated: the header does not fit in the file";
-    if (p->size && p->size != f->size)
-        return reason(p->size > f->size ? "truncated: %llu of %llu bytes" : "longer than it should be: %llu of %llu bytes",
-                      (unsigned long long)f->size, (unsigned long long)p->size);
-    if (vxf_hash(f->base + sizeof *p, p->header) != p->hash)
-        return "damaged header (its hash differs)";
-    return NULL;
-}
-
-static const char *parse_type(const char *text, enum vxf_type *type)
-{
-    for (int k = 0; k < VXF_TYPES; k++)
-        if (strcmp(text, vxf_type_name((enum vxf_type)k)) == 0) {
-            *type = (enum vxf_type)k;
-            return NULL;
-        }
-    return reason("unknown element type %s", text);
-}
-
-static const char *parse_dims(const char *text, struct vxf_array *a)
-{
-    if (strcmp(text, "scalar") == 0)
-        return NULL;
-    for (;;) {
-        char *end;
-        if (a->ndim == VXF_DIMS || *text < '0' || *text > '9')
-            return reason("array %s: bad dims", a->name);
-        errno = 0;
-        a->dim[a->ndim++] = strtoll(text, &end, 10);
-        if (errno || (*end && *end != 'x'))
-            return reason("array %s: bad dims", a->name);
-        if (!*end)
-            return NULL;
-        text = end + 1;
-    }
-}
-
-static const char *append(struct vxf_list *list, const struct vxf_array *a)
-{
-    struct vxf_array *more;
-
-    if (vxf_find(list, a->name))
-        return reason("array %s stands twice", a->name);
-    more = realloc(list->item, (size_t)(list->n + 1) * sizeof *more);
-    if (!more)
-        return REASON_MEMORY;
-    list->item = more;
-    list->item[list->n++] = *a;
-    return NULL;
-}
-
-/* "name type dims unit [offset hash]" */
-static const char *parse_array(const char *line, int length, int placed, struct vxf_list *list)
-{
-    char text[256], type[8], dims[80];
-    unsigned long long offset = 0, hash = 0;
-    struct vxf_array a = {0};
-    const char *why;
-    int end = -1;
-
-    if (length >= (int)sizeof text)
-        return "damaged header: a line is too long";
-    memcpy(text, line, (size_t)length);
-    text[length] = 0;
-    if (placed ? sscanf(text, " %31s %7s %79s %15s %llu %llx%n", a.name, type, dims, a.unit, &offset, &hash, &end) < 6
-               : sscanf(text, " %31s %7s %79s %15s%n", a.name, type, dims, a.unit, &end) < 4)
-        return "damaged header: an array line is not complete";
-    if (end != length)
-        return "damaged header: junk after an array line";
-    a.offset = offset;
-    a.hash = hash;
-    if ((why = parse_type(type, &a.type)) || (why = parse_dims(dims, &a)))
-        return why;
-    return append(list, &a);
-}
-
-static const char *parse_header(struct vxf *f, const struct vxf_preamble *p)
-{
-    const char *why = NULL, *line;
-    int length;
-
-    f->header = malloc(p->header + 1);
-    if (!f->header)
-        return REASON_MEMORY;
-    memcpy(f->header, f->base + sizeof *p, p->header);
-    f->header[p->header] = 0;
-    if (strlen(f->header) != p->header || p->header == 0 || f->header[p->header - 1] != '\n')
-        return "damaged header";
-    memcpy(f->kind, p->kind, sizeof p->kind);
-    for (int k = 0; !why && (line = vxf_line(f, "ARRAY", k, &length)); k++)
-        why = parse_array(line, length, 1, &f->array);
-    for (int k = 0; !why && (line = vxf_line(f, "SERIES", k, &length)); k++)
-        why = parse_array(line, length, 0, &f->series);
-    for (int k = 0; !why && (line = vxf_line(f, "TAIL", k, &length)); k++)
-        why = parse_array(line, length, 0, &f->tail);
-    f->stream = f->series.n > 0;
     return why;
 }
 
@@ -216,19 +102,18 @@ static const char *place_arrays(struct vxf *f, uint64_t *end)
     return NULL;
 }
 
-/* Bytes of n records of all series, each padded to 64; 0 where that overflows or is nothing. */
-static uint64_t payload(const struct vxf *f, int64_t n)
+/* Bytes of n records of all series, each padded to 64; 0 with *overflow set where that is more than the file. */
+static uint64_t payload(const struct vxf *f, int64_t n, int *overflow)
 {
     uint64_t sum = 0;
 
-    for (int i = 0; i < f->series.n; i++) {
-        int overflow;
-        uint64_t bytes = vxf_bytes(&f->series.item[i], &overflow);
-        if (overflow || n <= 0 || __builtin_mul_overflow(bytes, (uint64_t)n, &bytes) || bytes > f->size)
-            return 0;
-        sum += vxf_pad(bytes);
+    *overflow = n <= 0;
+    for (int i = 0; i < f->series.n && !*overflow; i++) {
+        uint64_t bytes = vxf_bytes(&f->series.item[i], overflow);
+        *overflow = *overflow || __builtin_mul_overflow(bytes, (uint64_t)n, &bytes) || bytes > f->size;
+        sum += *overflow ? 0 : vxf_pad(bytes);
     }
-    return sum;
+    return *overflow ? 0 : sum;
 }
 
 static const char *place_tail(struct vxf *f, uint64_t at, uint64_t end)
@@ -248,7 +133,7 @@ static const char *place_block(struct vxf *f, uint64_t *at, int *whole)
     const struct vxf_block *b = (const void *)(f->base + *at);
     uint64_t next;
     size_t *more;
-    int last;
+    int last, overflow;
 
     *whole = f->size - *at >= sizeof *b;
     if (!*whole)
@@ -269,13 +154,13 @@ static const char *place_block(struct vxf *f, uint64_t *at, int *whole)
         *at = next;
         return place_tail(f, next - b->bytes, next);
     }
-    if (payload(f, b->records) != b->bytes)
+    if (payload(f, b->records, &overflow) != b->bytes || overflow ||
+        __builtin_add_overflow(f->records, b->records, &f->records))
         return reason("damaged: block %d has another size than its records", f->blocks);
     if (!(more = realloc(f->block, (size_t)(f->blocks + 1) * sizeof *more)))
         return REASON_MEMORY;
     f->block = more;
     f->block[f->blocks++] = *at;
-    f->records += b->records;
     *at = next;
     return NULL;
 }
@@ -303,7 +188,7 @@ static const char *check(struct vxf *f)
 
     if (f->size >= sizeof p)
         memcpy(&p, f->base, sizeof p);
-    if ((why = check_preamble(f, &p)) || (why = parse_header(f, &p)))
+    if ((why = vxf_check_preamble(f, &p)) || (why = vxf_parse_header(f, &p)))
         return why;
     end = sizeof p + vxf_pad(p.header);
     if (end > f->size || !all_zero(f->base + sizeof p + p.header, end - sizeof p - p.header))

@@ -2,9 +2,8 @@
 #include "formats/reason.h"
 #include "formats/vxf_disk.h"
 
-#include <math.h>
+#include <ctype.h>
 #include <stdarg.h>
-#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -41,7 +40,7 @@ static void add_text(struct vxf_out *o, const char *text, size_t n)
     o->text[o->length] = 0;
 }
 
-/* A newline inside a value would begin another header line: it becomes a space. */
+/* A newline inside a value would begin another header line: control characters become spaces. */
 void vxf_put_key(struct vxf_out *o, const char *key, const char *format, ...)
 {
     va_list ap, again;
@@ -55,8 +54,9 @@ void vxf_put_key(struct vxf_out *o, const char *key, const char *format, ...)
     text = malloc((size_t)n + 1);
     if (text) {
         vsnprintf(text, (size_t)n + 1, format, again);
-        for (char *p = text; (p = strchr(p, '\n'));)
-            *p = ' ';
+        for (char *p = text; *p; p++)
+            if (iscntrl((unsigned char)*p))
+                *p = ' ';
         add_text(o, key, strlen(key));
         add_text(o, "= ", 2);
         add_text(o, text, (size_t)n);
@@ -67,20 +67,15 @@ void vxf_put_key(struct vxf_out *o, const char *key, const char *format, ...)
     free(text);
 }
 
-static int finite_all(enum vxf_type type, const void *data, int64_t n)
+/* A blank would end the word in the header line. */
+static int is_word(const char *text, size_t room)
 {
-    const double *x = data;
-    const float *y = data;
+    size_t n = strlen(text);
 
-    if (type == VXF_F64 || type == VXF_C128) {
-        for (int64_t i = 0; i < (type == VXF_C128 ? 2 * n : n); i++)
-            if (!isfinite(x[i]))
-                return 0;
-    } else if (type == VXF_F32)
-        for (int64_t i = 0; i < n; i++)
-            if (!isfinite(y[i]))
-                return 0;
-    return 1;
+    for (size_t i = 0; i < n; i++)
+        if (!isgraph((unsigned char)text[i]))
+            return 0;
+    return n > 0 && n < room;
 }
 
 static void add_array(struct vxf_out *o, struct vxf_list *list, const char *name, enum vxf_type type,
@@ -90,6 +85,10 @@ static void add_array(struct vxf_out *o, struct vxf_list *list, const char *name
     struct vxf_array *more;
     int overflow;
 
+    if (!is_word(name, sizeof a.name) || !is_word(unit, sizeof a.unit) || ndim < 0 || ndim > VXF_DIMS) {
+        o->why = reason("BUG: array \"%s\" with unit \"%s\" and %d dims cannot be written", name, unit, ndim);
+        return;
+    }
     snprintf(a.name, sizeof a.name, "%s", name);
     snprintf(a.unit, sizeof a.unit, "%s", unit);
     for (int i = 0; i < ndim; i++)
@@ -97,9 +96,9 @@ static void add_array(struct vxf_out *o, struct vxf_list *list, const char *name
     vxf_bytes(&a, &overflow);
     if (overflow)
         o->why = reason("array %s is too large", name);
-    else if (data && !finite_all(type, data, vxf_count(&a)))
+    else if (data && !vxf_finite(type, data, vxf_count(&a)))
         o->why = reason("array %s would hold a number that is not finite", name);
-    else if (vxf_find(list, name))
+    else if (vxf_find(&o->array, name) || vxf_find(&o->series, name) || vxf_find(&o->tail, name))
         o->why = reason("array %s stands twice", name);
     else if (!(more = realloc(list->item, (size_t)(list->n + 1) * sizeof *more)))
         o->why = REASON_MEMORY;
@@ -162,7 +161,7 @@ void vxf_put_input(struct vxf_out *o, const struct vxf *input)
 
 /* ---- the file ---- */
 
-static const char *write_all(FILE *stream, const void *data, size_t n)
+const char *vxf_write_all(FILE *stream, const void *data, size_t n)
 {
     return fwrite(data, 1, n, stream) == n ? NULL : "write error";
 }
@@ -170,9 +169,9 @@ static const char *write_all(FILE *stream, const void *data, size_t n)
 static const char *write_padded(FILE *stream, const void *data, uint64_t n)
 {
     static const unsigned char zero[VXF_ALIGN];
-    const char *why = n ? write_all(stream, data, n) : NULL;
+    const char *why = n ? vxf_write_all(stream, data, n) : NULL;
 
-    return why ? why : write_all(stream, zero, vxf_pad(n) - n);
+    return why ? why : vxf_write_all(stream, zero, vxf_pad(n) - n);
 }
 
 /* The KEY= lines, then the lines of arrays, series and tail; NULL without memory. */
@@ -208,22 +207,23 @@ static char *header_text(const struct vxf_out *o, uint64_t *size)
     return text;
 }
 
-/* Preamble, header and arrays; *size is their length, written into the preamble unless blocks follow. */
-static const char *write_head(const struct vxf_out *o, FILE *stream, uint64_t *size)
+const char *vxf_write_head(const struct vxf_out *o, FILE *stream, uint64_t *size)
 {
     struct vxf_preamble p = {.magic = VXF_MAGIC, .order = VXF_ORDER, .version = VXF_VERSION};
     const char *why = o->why;
     char *text;
 
+    if (!why && o->tail.n && !o->series.n)
+        why = "BUG: a tail without a series";
     if (why)
         return why;
     if (!(text = header_text(o, size)))
         return REASON_MEMORY;
     memcpy(p.kind, o->kind, sizeof p.kind);
     p.header = strlen(text);
-    p.hash = vxf_hash(text, p.header);
+    p.hash = vxf_header_hash(&p, text);
     p.size = o->series.n ? 0 : *size;
-    if (!(why = write_all(stream, &p, sizeof p)))
+    if (!(why = vxf_write_all(stream, &p, sizeof p)))
         why = write_padded(stream, text, p.header);
     free(text);
     for (int i = 0; !why && i < o->array.n; i++) {
@@ -237,64 +237,5 @@ const char *vxf_write(const struct vxf_out *o, FILE *stream)
 {
     uint64_t size;
 
-    return write_head(o, stream, &size);
-}
-
-/* ---- streams ---- */
-
-const char *vxf_stream_begin(struct vxf_stream *s, struct vxf_out *o, FILE *stream)
-{
-    *s = (struct vxf_stream){.file = stream, .out = o};
-    return write_head(o, stream, &s->bytes);
-}
-
-/* One block of `records` records of each array of the list. */
-static const char *write_block(struct vxf_stream *s, const char *magic, const struct vxf_list *list, int64_t each,
-                               int64_t records, const void *const *data)
-{
-    struct vxf_block b = {.index = (uint64_t)s->blocks, .records = records};
-    unsigned char *payload;
-    const char *why;
-    uint64_t at = 0;
-    int overflow;
-
-    memcpy(b.magic, magic, sizeof b.magic);
-    for (int i = 0; i < list->n; i++) {
-        if (!finite_all(list->item[i].type, data[i], vxf_count(&list->item[i]) * each))
-            return reason("%s would hold a number that is not finite", list->item[i].name);
-        b.bytes += vxf_pad(vxf_bytes(&list->item[i], &overflow) * (uint64_t)each);
-    }
-    if (!(payload = calloc(b.bytes + 1, 1)))
-        return REASON_MEMORY;
-    for (int i = 0; i < list->n; i++) {
-        uint64_t bytes = vxf_bytes(&list->item[i], &overflow) * (uint64_t)each;
-        memcpy(payload + at, data[i], bytes);
-        at += vxf_pad(bytes);
-    }
-    b.hash = vxf_hash(payload, b.bytes);
-    b.head = vxf_block_head_hash(&b);
-    if (!(why = write_all(s->file, &b, sizeof b)))
-        why = write_all(s->file, payload, b.bytes);
-    free(payload);
-    s->bytes += sizeof b + b.bytes;
-    s->blocks++;
-    if (!why && fflush(s->file) != 0)
-        why = "write error";
-    return why;
-}
-
-const char *vxf_stream_block(struct vxf_stream *s, int64_t records, const void *const *data)
-{
-    s->records += records;
-    return records ? write_block(s, VXF_BLOCK_MAGIC, &s->out->series, records, records, data) : NULL;
-}
-
-const char *vxf_stream_end(struct vxf_stream *s, const void *const *data)
-{
-    const char *why = write_block(s, VXF_END_MAGIC, &s->out->tail, 1, s->records, data);
-
-    if (!why && s->file != stdout && fseek(s->file, offsetof(struct vxf_preamble, size), SEEK_SET) == 0 &&
-        fwrite(&s->bytes, sizeof s->bytes, 1, s->file) != 1)
-        why = "write error";
-    return why;
+    return vxf_write_head(o, stream, &size);
 }

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 const char *cli_name = "veksel";
+int cli_failure = EXIT_FAILURE;
 
 static void say(const char *format, va_list ap)
 {
@@ -26,7 +27,7 @@ void cli_die(const char *format, ...)
     say(format, ap);
     va_end(ap);
     cli_remove_outputs();
-    _exit(1);
+    _exit(cli_failure);
 }
 
 void cli_misuse(const char *format, ...)

@@ -35,6 +35,7 @@ struct cli_program {
     const char *purpose;         /* one line */
     const char *usage;           /* the SYNOPSIS of its page, one form a line */
     const struct cli_option *option; /* up to one with name NULL; -h is added */
+    int failure;                 /* exit status of cli_die; 0 is 1 */
 };
 
 /* Reads the options; returns the operands, *operands of them, between least and most; exits 2 on misuse, 0 after -h. */
@@ -44,7 +45,7 @@ char **cli_begin(const struct cli_program *p, int argc, char **argv, int least, 
 int cli_end(void);
 
 /* "vxtool: message" on stderr. */
-_Noreturn void cli_die(const char *format, ...) VX_PRINTF(1, 2);     /* exit 1; outputs begun are removed */
+_Noreturn void cli_die(const char *format, ...) VX_PRINTF(1, 2);     /* exit 1, or the program's failure; outputs begun are removed */
 _Noreturn void cli_misuse(const char *format, ...) VX_PRINTF(1, 2);  /* exit 2 */
 void cli_note(const char *format, ...) VX_PRINTF(1, 2);              /* goes on */
 

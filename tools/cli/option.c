@@ -154,6 +154,7 @@ char **cli_begin(const struct cli_program *p, int argc, char **argv, int least, 
     struct option longs[OPTIONS_MAX + 1];
 
     cli_name = p->name;
+    cli_failure = p->failure ? p->failure : EXIT_FAILURE;
     cli_remember(argc, argv);
     setvbuf(stdout, NULL, _IOFBF, 1 << 20);
     refuse_abbreviations(p->option, argc, argv);
