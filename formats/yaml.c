@@ -12,6 +12,8 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
+#define LARGEST_INT 9007199254740992.0 /* 2^53: whole numbers are exact up to here */
+
 struct walk {
     const char *path;
     XXH64_state_t *hash;
@@ -73,6 +75,8 @@ static const char *number(struct walk *w, const struct yaml_field *f, const stru
         return yaml_error(w->path, node, "%s: %s is out of range", f->key, node->text);
     if (f->type == YAML_INT && strspn(node->text, "0123456789+-") != strlen(node->text))
         return yaml_error(w->path, node, "%s: %s is not a whole number", f->key, node->text);
+    if (f->type == YAML_INT && fabs(*value) > LARGEST_INT)
+        return yaml_error(w->path, node, "%s: %s is out of range", f->key, node->text);
     hash_number(w, *value);
     return range(w, f, node, *value);
 }
@@ -170,6 +174,7 @@ static const char *table(struct walk *w, const struct yaml_field *f, const struc
         return to->at && to->value ? number(w, f, node, to->value) : REASON_MEMORY;
     }
     to->by_number = yaml_tree_find(node, "number") != NULL;
+    hash_number(w, to->by_number);
     axis.unit = to->by_number ? "sleeper number" : "m";
     over = yaml_tree_find(node, to->by_number ? "number" : "station");
     values = yaml_tree_find(node, "value");
@@ -293,19 +298,24 @@ static int distance(const char *a, const char *b)
     return row[n];
 }
 
-static const char *unknown(struct walk *w, const struct yaml_schema *schema, const struct yaml_node *at, const char *key)
+/* The place is that of the key.  A key that is a number is what follows a decimal comma in {a: 1,2e8}. */
+static const char *unknown(struct walk *w, const struct yaml_schema *schema, const struct yaml_node *child, const char *key)
 {
+    const struct yaml_node at = {.set = child->set, .line = child->key_line, .column = child->key_column};
     const char *nearest = NULL;
-    int least = 4;
+    int least = (int)strlen(key) / 2 + 1;
 
+    if (least > 4)
+        least = 4;
     for (const struct yaml_field *f = schema->field; f->key; f++)
         if (distance(key, f->key) < least) {
             least = distance(key, f->key);
             nearest = f->key;
         }
     if (nearest)
-        return yaml_error(w->path, at, "unknown key %s in %s, did you mean %s?", key, schema->name, nearest);
-    return yaml_error(w->path, at, "unknown key %s in %s", key, schema->name);
+        return yaml_error(w->path, &at, "unknown key %s in %s, did you mean %s?", key, schema->name, nearest);
+    return yaml_error(w->path, &at, "unknown key %s in %s%s", key, schema->name,
+                      *key >= '0' && *key <= '9' ? " (numbers have a decimal point, not a comma)" : "");
 }
 
 static const struct yaml_field *field_of(const struct yaml_schema *schema, const char *key)

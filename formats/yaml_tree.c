@@ -98,6 +98,22 @@ static int add(struct yaml_node *node, char *key, struct yaml_node *child)
     return 1;
 }
 
+/* A NUL inside, which "a\0b" can say, becomes a space: the text would end there. */
+static char *scalar_text(const yaml_event_t *event)
+{
+    size_t n = event->data.scalar.length;
+    char *text = malloc(n + 1);
+
+    if (!text)
+        return NULL;
+    memcpy(text, event->data.scalar.value, n);
+    text[n] = 0;
+    for (size_t i = 0; i < n; i++)
+        if (!text[i])
+            text[i] = ' ';
+    return text;
+}
+
 static struct yaml_node *read_node(struct reader *r, int depth);
 
 static int read_entry(struct reader *r, struct yaml_node *map, int depth)
@@ -110,7 +126,7 @@ static int read_entry(struct reader *r, struct yaml_node *map, int depth)
         yaml_event_delete(&r->event);
         return fail(r, mark, "a key must be a word", "");
     }
-    key = strdup((const char *)r->event.data.scalar.value);
+    key = scalar_text(&r->event);
     yaml_event_delete(&r->event);
     if (!key || yaml_tree_find(map, key)) {
         fail(r, mark, key ? "this key stands twice: " : REASON_MEMORY, key ? key : "");
@@ -122,6 +138,8 @@ static int read_entry(struct reader *r, struct yaml_node *map, int depth)
         free(key);
         return 0;
     }
+    child->key_line = (int)mark.line + 1;
+    child->key_column = (int)mark.column + 1;
     return add(map, key, child) || fail(r, mark, REASON_MEMORY, "");
 }
 
@@ -153,10 +171,14 @@ static struct yaml_node *read_scalar(struct reader *r)
     struct yaml_node *node = new_node(YAML_SCALAR, r->event.start_mark);
 
     if (node) {
-        node->text = strdup((const char *)r->event.data.scalar.value);
+        node->text = scalar_text(&r->event);
         node->plain = r->event.data.scalar.style == YAML_PLAIN_SCALAR_STYLE;
     }
     yaml_event_delete(&r->event);
+    if (node && !node->text) {
+        yaml_tree_free(node);
+        return NULL;
+    }
     return node;
 }
 
@@ -299,13 +321,14 @@ const char *yaml_tree_set(struct yaml_node *root, const char *set)
     if ((why = yaml_tree_read("value", value + 1, &node)))
         return reason("--set %s: error: the value cannot be read", set);
     mark_set(node, set);
-    rest = path = strndup(set, (size_t)(value - set));
+    path = strndup(set, (size_t)(value - set));
     if (!path)
         why = REASON_MEMORY;
-    for (word = path ? strtok_r(path, ".", &rest) : NULL; word && !why; word = strtok_r(NULL, ".", &rest))
-        why = step(place ? *place : root, word, set, &place);
-    if (!why && !place)
-        why = reason("--set %s: error: should be KEY=VALUE", set);
+    for (word = path; word && !why; word = rest) {
+        if ((rest = strchr(word, '.')))
+            *rest++ = 0;
+        why = *word ? step(place ? *place : root, word, set, &place) : reason("--set %s: error: a key is empty", set);
+    }
     free(path);
     if (why) {
         yaml_tree_free(node);

@@ -7,6 +7,7 @@ enum yaml_kind { YAML_SCALAR, YAML_MAPPING, YAML_SEQUENCE };
 struct yaml_node {
     enum yaml_kind kind;
     int line, column;            /* from 1 */
+    int key_line, key_column;    /* of its key, in a map */
     const char *set;             /* the override it came from, else NULL */
     char *text;                  /* of a scalar */
     int plain;                   /* scalar without quotes */

@@ -3,6 +3,7 @@
 #include "tools/cli/cli.h"
 #include "tools/cli/cli_private.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -12,11 +13,16 @@
 const char *cli_name = "veksel";
 int cli_failure = EXIT_FAILURE;
 
+/* One line, whatever a path or a value holds. */
 static void say(const char *format, va_list ap)
 {
-    fprintf(stderr, "%s: ", cli_name);
-    vfprintf(stderr, format, ap);
-    fputc('\n', stderr);
+    char text[1024];
+
+    vsnprintf(text, sizeof text, format, ap);
+    for (char *p = text; *p; p++)
+        if (iscntrl((unsigned char)*p))
+            *p = '?';
+    fprintf(stderr, "%s: %s\n", cli_name, text);
 }
 
 void cli_die(const char *format, ...)
