@@ -1,0 +1,109 @@
+/* Lines are read one by one, so that a refusal can say which. */
+#include "formats/points.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "formats/reason.h"
+
+const char *points_number(const char *text, double *x)
+{
+    text += strspn(text, " \t");
+    size_t digits = strspn(text, "+-.0123456789eE");
+    char *end;
+
+    if (digits == 0)
+        return NULL;
+    *x = strtod(text, &end);
+    return end == text + digits && isfinite(*x) ? end : NULL;
+}
+
+static int array_grow(double **a, int64_t room)
+{
+    double *larger = realloc(*a, (size_t)room * sizeof **a);
+    if (larger)
+        *a = larger;
+    return larger != NULL;
+}
+
+const char *points_add(struct points *p, int64_t *room, double y, double z, double weight)
+{
+    if (p->n == *room) {
+        int64_t larger = *room ? 2 * *room : 256;
+        if (!array_grow(&p->y, larger) || !array_grow(&p->z, larger) || !array_grow(&p->weight, larger))
+            return REASON_MEMORY;
+        *room = larger;
+    }
+    p->y[p->n] = y;
+    p->z[p->n] = z;
+    p->weight[p->n++] = weight;
+    return NULL;
+}
+
+/* y z [weight] of one line; *columns is 0 for a line without data. */
+static const char *line_read(const char *line, double row[3], int *columns)
+{
+    row[2] = 1;
+    for (*columns = 0;; ++*columns) {
+        line += strspn(line, " \t\r\n");
+        if (*line == '\0' || *line == '#')
+            return *columns == 1 ? "one number, should be y z" : NULL;
+        if (*columns == 3)
+            return "more than three columns";
+        const char *rest = points_number(line, &row[*columns]);
+        if (!rest || (*rest && !strchr(" \t\r\n#", *rest)))
+            return reason("'%.*s' is not a number", (int)strcspn(line, " \t\r\n#"), line);
+        line = rest;
+    }
+}
+
+static const char *file_read(struct points *p, FILE *file, double unit)
+{
+    const char *why = NULL;
+    char *line = NULL;
+    size_t size = 0;
+    int64_t room = 0;
+    double row[3];
+    int columns;
+
+    for (long number = 1; !why && getline(&line, &size, file) >= 0; number++) {
+        const char *bad = line_read(line, row, &columns);
+        if (bad)
+            why = reason("line %ld: %s", number, bad);
+        else if (columns && row[2] <= 0)
+            why = reason("line %ld: weight must be positive, is %g", number, row[2]);
+        else if (columns)
+            why = points_add(p, &room, row[0] * unit, row[1] * unit, row[2]);
+    }
+    free(line);
+    if (!why && ferror(file))
+        return reason("%s", strerror(errno));
+    return why;
+}
+
+const char *points_read(struct points *p, const char *path, double unit)
+{
+    *p = (struct points){0};
+    FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "r");
+    if (!file)
+        return reason("%s", strerror(errno));
+    const char *why = file_read(p, file, unit);
+    if (file != stdin)
+        fclose(file);
+    if (!why && p->n < 3)
+        why = reason("%lld points, a profile needs at least 3", (long long)p->n);
+    if (why)
+        points_free(p);
+    return why;
+}
+
+void points_free(struct points *p)
+{
+    free(p->y);
+    free(p->z);
+    free(p->weight);
+    *p = (struct points){0};
+}

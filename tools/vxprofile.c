@@ -1,0 +1,191 @@
+/* vxprofile: cross-sections of a wheel, of a rail, or of the rails of a turnout.
+ *
+ * In: the profile input (YAML), a Simpack .prr or .prw, or plain points.  Out: .prof of one side: polylines with slope and
+ * curvature, y to the right, z down, y increasing.
+ * Method: points ordered and inclined, a smoothing spline over the length along them, resampled evenly, what overhangs cut off. */
+#include "tools/cli/cli.h"
+
+#include <inttypes.h>
+#include <string.h>
+
+#include "formats/prof.h"
+#include "formats/prof_text.h"
+#include "tools/profile/gauge.h"
+#include "tools/profile/section.h"
+#include "tools/profile/set.h"
+#include "tools/profile/turnout.h"
+#include "tools/profile/zones.h"
+
+static const char usage[] =
+    "vxprofile [--side l|r] [--part wheel|rail --unit m|mm] [--set KEY=VALUE]...\n"
+    "          [--check] [-o OUT.prof] IN\n"
+    "vxprofile --schema | --master";
+
+static const char *const sides[] = {"r", "l", NULL};
+static const char *const part_words[] = {"", "wheel", "rail", NULL};
+static const char *const unit_words[] = {"", "m", "mm", NULL};
+
+static int side, part, unit, check, schema, master;
+static struct cli_list set;
+static const char *output;
+
+static const struct cli_option options[] = {
+    {.name = "side", .type = CLI_CHOICE, .value = &side, .choice = sides},
+    {.name = "part", .type = CLI_CHOICE, .value = &part, .choice = part_words},
+    {.name = "unit", .type = CLI_CHOICE, .value = &unit, .choice = unit_words},
+    {.name = "set", .type = CLI_LIST, .value = &set},
+    {.name = "check", .type = CLI_FLAG, .value = &check},
+    {.name = "schema", .type = CLI_FLAG, .value = &schema},
+    {.name = "master", .type = CLI_FLAG, .value = &master},
+    {.name = "o", .type = CLI_TEXT, .value = &output},
+    {0},
+};
+
+static const struct cli_program program = {
+    .name = "vxprofile",
+    .purpose = "Make the cross-sections of a wheel, a rail or a turnout.",
+    .usage = usage,
+    .option = options,
+};
+
+static int ends(const char *path, const char *ending)
+{
+    size_t n = strlen(path), m = strlen(ending);
+    return n > m && strcmp(path + n - m, ending) == 0;
+}
+
+/* The ending says what a file is; plain points need --part and --unit. */
+static void input_read(const char *path, struct prof_text *t, uint64_t *hash)
+{
+    int prr = ends(path, ".prr"), prw = ends(path, ".prw"), yaml = ends(path, ".yaml") || (strcmp(path, "-") == 0 && !part);
+
+    if ((prr || prw || yaml) && (part || unit))
+        cli_misuse("--part and --unit are for plain points, %s says its own", path);
+    if (!(prr || prw || yaml) && !(part && unit))
+        cli_misuse("%s: plain points need --part wheel|rail and --unit m|mm", path);
+    if (yaml)
+        cli_check(path, prof_text_read(t, path, set.item, set.n, hash));
+    else if (prr || prw)
+        cli_check(path, prof_text_file(t, path, prw ? PROF_WHEEL : PROF_RAIL, PROF_UNSTATED, set.item, set.n, hash));
+    else
+        cli_check(path, prof_text_file(t, path, part == 1 ? PROF_WHEEL : PROF_RAIL, unit == 1 ? PROF_M : PROF_MM,
+                                       set.item, set.n, hash));
+}
+
+static void shape_make(const char *path, const struct prof_text *t, const struct section_options *o, struct section *s)
+{
+    struct points p;
+
+    if (t->zones.n)
+        cli_check(path, zones_points(t->zones.n, t->zones.item, t->symmetric, t->spacing, &p));
+    else
+        cli_check(path, prof_text_points(t, &p));
+    cli_check(path, section_make(s, &p, o));
+    points_free(&p);
+}
+
+/* The shape of the wheel or rail, or of the rail a turnout is made of. */
+static void section_read(const char *path, const struct prof_text *t, struct section *s)
+{
+    struct section_options o = {t->part == PROF_WHEEL, t->cant, t->gauge_depth, t->smoothing, t->spacing};
+    struct prof_text rail;
+
+    if (t->part != PROF_TURNOUT) {
+        shape_make(path, t, &o, s);
+        return;
+    }
+    cli_check(path, prof_text_read(&rail, t->file, NULL, 0, NULL));
+    if (rail.part != PROF_RAIL)
+        cli_die("%s: a turnout is made of a rail", t->file);
+    shape_make(t->file, &rail, &o, s);
+    prof_text_free(&rail);
+}
+
+/* The outline is taken over by the set. */
+static void sections_gather(const char *path, const struct prof_text *t, struct section *s, struct set *sections)
+{
+    static const char *const wheel[] = {"wheel"}, *const rail[] = {"rail"};
+
+    if (t->part == PROF_TURNOUT) {
+        cli_check(path, turnout_sections(&t->turnout, t->gauge, t->spacing, t->smoothing, side ? 'l' : 'r', s, sections));
+        return;
+    }
+    *sections = (struct set){.bodies = 1, .body = t->part == PROF_WHEEL ? wheel : rail};
+    cli_check(path, set_section(sections, 0));
+    cli_check(path, set_body(sections, 0, &s->outline));
+}
+
+static void print_check(const struct prof_text *t, const struct section *s, const struct prof *p)
+{
+    printf("name\t%s\npart\t%s\nside\t%c\nposition\t%.6f\tm\n", p->name, p->part == 'w' ? "wheel" : "rail", p->side, p->position);
+    if (p->part == 'r')
+        printf("gauge_face\t%.6f\tm\ncant\t%.6f\t1\n", p->side == 'l' ? -s->gauge_face : s->gauge_face, t->cant);
+    printf("points_read\t%" PRId64 "\t1\ndoubles\t%" PRId64 "\t1\nzigzags\t%" PRId64 "\t1\nlongest_gap\t%.3e\tm\n",
+           s->points, s->clean.doubles, s->clean.zigzags, s->clean.longest_gap);
+    printf("residual_worst\t%.3e\tm\nresidual_worst_y\t%.6f\tm\nresidual_rms\t%.3e\tm\n", s->residual.worst,
+           p->side == 'l' ? -s->residual.worst_y : s->residual.worst_y, s->residual.rms);
+    printf("# station m, body, points, y m from to, z m least greatest, slope from to, curvature 1/m least greatest\n");
+    for (int64_t i = 0; i < p->polys; i++) {
+        int64_t first = p->poly_first[i], last = p->poly_first[i + 1] - 1;
+        double z[2] = {p->z[first], p->z[first]}, k[2] = {p->curvature[first], p->curvature[first]};
+        for (int64_t j = first; j <= last; j++) {
+            z[0] = p->z[j] < z[0] ? p->z[j] : z[0];
+            z[1] = p->z[j] > z[1] ? p->z[j] : z[1];
+            k[0] = p->curvature[j] < k[0] ? p->curvature[j] : k[0];
+            k[1] = p->curvature[j] > k[1] ? p->curvature[j] : k[1];
+        }
+        printf("%.3f\t%s\t%" PRId64 "\t%.6f\t%.6f\t%.6f\t%.6f\t%.4f\t%.4f\t%.2f\t%.2f\n", p->station[p->poly_section[i]],
+               p->body[p->poly_body[i]], last - first + 1, p->y[first], p->y[last], z[0], z[1], p->slope[first],
+               p->slope[last], k[0], k[1]);
+    }
+}
+
+static void prof_save(const struct prof *p, uint64_t hash)
+{
+    struct vxf_out o;
+
+    vxf_out_begin(&o, "prof");
+    cli_check(p->name, prof_put(p, &o));
+    vxf_put_key(&o, "INPUT", "profile %016" PRIx64, hash);
+    cli_write(&o, output);
+    vxf_out_free(&o);
+}
+
+int main(int argc, char **argv)
+{
+    int n;
+    char **path = cli_begin(&program, argc, argv, 0, 1, &n);
+    struct prof_text text;
+    struct section section;
+    struct set sections;
+    struct prof prof = {0};
+    uint64_t hash;
+
+    if (schema + master + (n == 1) != 1)
+        cli_misuse("one input, or --schema or --master");
+    if (schema)
+        yaml_print_schema(&prof_text_schema, stdout);
+    if (master)
+        yaml_print_master(&prof_text_schema, stdout);
+    if (n == 0)
+        return cli_end();
+    input_read(path[0], &text, &hash);
+    section_read(path[0], &text, &section);
+    sections_gather(path[0], &text, &section, &sections);
+
+    strncpy(prof.name, text.name, sizeof prof.name - 1);
+    prof.part = text.part == PROF_WHEEL ? 'w' : 'r';
+    prof.radius = text.part == PROF_WHEEL ? text.radius : 0;
+    prof.position = text.part == PROF_WHEEL ? gauge_wheel_position(text.back_to_back, text.flange_back)
+                                            : gauge_rail_position(section.gauge_face, text.gauge);
+    cli_check(path[0], set_prof(&sections, side ? 'l' : 'r', &prof));
+    if (check)
+        print_check(&text, &section, &prof);
+    else
+        prof_save(&prof, hash);
+    prof_free(&prof);
+    set_free(&sections);
+    section_free(&section);
+    prof_text_free(&text);
+    return cli_end();
+}
