@@ -178,7 +178,7 @@ static const char *check_knots(const struct veh *v, int64_t c)
     return NULL;
 }
 
-static const char *check(const struct veh *v)
+const char *veh_check(const struct veh *v)
 {
     const char *why;
 
@@ -220,12 +220,12 @@ const char *veh_read(struct veh *v, const struct vxf *f)
     v->couplings = size[COUPLINGS];
     v->wheelsets = size[WHEELSETS];
     v->knots = size[KNOTS];
-    return check(v);
+    return veh_check(v);
 }
 
 const char *veh_put(const struct veh *v, struct vxf_out *o)
 {
-    const char *why = check(v);
+    const char *why = veh_check(v);
     if (why)
         return why;
     const int64_t size[SIZES] = {

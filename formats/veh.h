@@ -46,6 +46,9 @@ struct veh {
 /* A vehicle being built: n zeroed items of this size, which live as long as it does; NULL without memory. */
 void *veh_room(struct veh *v, int64_t n, size_t size);
 
+/* What veh_read and veh_put ask of a vehicle, its matrices and loads aside. */
+const char *veh_check(const struct veh *v);
+
 const char *veh_read(struct veh *v, const struct vxf *f);
 const char *veh_put(const struct veh *v, struct vxf_out *o);
 void veh_free(struct veh *v);

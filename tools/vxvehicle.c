@@ -1,0 +1,101 @@
+/* vxvehicle: a vehicle as rigid bodies, couplings and matrices, at rest.
+ *
+ * In: the vehicle input of vehicle-input(5).  Out: .veh, veh(5): bodies, couplings with their static preloads, wheel loads, and K, C, M
+ * about rest.  x forward from the first wheelset, y to the right, z down, SI units. */
+#include "tools/cli/cli.h"
+
+#include "formats/veh.h"
+#include "formats/veh_text.h"
+#include "tools/vehicle/check.h"
+#include "tools/vehicle/vehicle.h"
+
+static const char usage[] =
+    "vxvehicle [--set KEY=VALUE]... [--check] [-o FILE] INPUT\n"
+    "vxvehicle --schema | --master";
+
+static struct {
+    struct cli_list set;
+    int check, schema, master;
+    const char *out;
+} opt;
+
+static const struct cli_option options[] = {
+    {.name = "set", .type = CLI_LIST, .value = &opt.set},
+    {.name = "check", .type = CLI_FLAG, .value = &opt.check},
+    {.name = "schema", .type = CLI_FLAG, .value = &opt.schema},
+    {.name = "master", .type = CLI_FLAG, .value = &opt.master},
+    {.name = "o", .type = CLI_TEXT, .value = &opt.out},
+    {0},
+};
+
+static const struct cli_program program = {
+    .name = "vxvehicle",
+    .purpose = "Build a vehicle at rest, with its matrices, from its description.",
+    .usage = usage,
+    .option = options,
+};
+
+/* The operand, or NULL where the schema or the master file is asked for. */
+static const char *parse(int argc, char **argv)
+{
+    int n;
+    char **operand = cli_begin(&program, argc, argv, 0, 1, &n);
+    const int asks = opt.schema + opt.master;
+
+    if (asks > 1)
+        cli_misuse("--schema and --master exclude each other");
+    if (asks && (n || opt.set.n || opt.check || opt.out))
+        cli_misuse("--%s stands alone", opt.schema ? "schema" : "master");
+    if (opt.check && opt.out)
+        cli_misuse("--check writes text and no -o FILE");
+    if (!asks && !n)
+        cli_misuse("an input is missing (-h shows the usage)");
+    return asks ? NULL : operand[0];
+}
+
+static void print_check(const struct veh *v)
+{
+    struct check k;
+
+    check_balance(v, &k);
+    printf("vehicle    %s\n", v->name);
+    printf("mass       %.10g kg\n", k.mass);
+    printf("cg         x %.6g m  y %.6g m  height %.6g m\n", k.cg[0], k.cg[1], -k.cg[2]);
+    for (int64_t w = 0; w < v->wheelsets; w++)
+        printf("wheelset   %-16s left %.1f N  right %.1f N\n", v->body_name[v->wheelset[w]], v->wheel_load[2*w], v->wheel_load[2*w + 1]);
+    printf("balance    weight %.1f N  wheels %.1f N\n", k.weight, k.wheels);
+}
+
+static void write_vehicle(const struct veh *v, uint64_t hash, const char *path)
+{
+    struct vxf_out o;
+
+    vxf_out_begin(&o, "veh");
+    vxf_put_key(&o, "INPUT", "vehicle %016llx", (unsigned long long)hash);
+    cli_check(path, veh_put(v, &o));
+    cli_write(&o, opt.out);
+    vxf_out_free(&o);
+}
+
+int main(int argc, char **argv)
+{
+    const char *path = parse(argc, argv), *why;
+    struct veh_text in;
+    struct veh v;
+    uint64_t hash;
+
+    if (!path) {
+        (opt.schema ? yaml_print_schema : yaml_print_master)(&VEH_TEXT_SCHEMA, stdout);
+        return cli_end();
+    }
+    if ((why = veh_text_read(&in, path, opt.set.item, opt.set.n, &hash)))
+        cli_die("%s", why);
+    cli_check(path, vehicle_build(&v, &in));
+    if (opt.check)
+        print_check(&v);
+    else
+        write_vehicle(&v, hash, path);
+    veh_free(&v);
+    veh_text_free(&in);
+    return cli_end();
+}
