@@ -1,0 +1,54 @@
+/* K u = f with the load spread to the nodes of its element; the deflection under it adds the element's own. */
+#include "tools/track/seat.h"
+
+#include <stdlib.h>
+
+#include "formats/reason.h"
+#include "tools/track/static.h"
+
+static void spread(const struct trk *t, const struct point *p, int excite, double load, double *f)
+{
+    for (int rail = 0; rail < TRK_RAILS; rail++) {
+        int64_t dof[4];
+        point_dofs(p, t, rail, dof);
+        for (int k = 0; k < 4 && point_loads(excite, rail); k++)
+            f[dof[k]] += load * p->shape[k];
+    }
+}
+
+static void take(struct seat *s, const struct trk *t, const struct point *p, int rail, double load, const double *u)
+{
+    int64_t dof[4];
+
+    point_dofs(p, t, rail, dof);
+    *s = (struct seat){.deflection = load * p->compliance[rail]};
+    for (int k = 0; k < 4; k++)
+        s->deflection += p->shape[k] * u[dof[k]];
+    for (int64_t i = 0; i < t->sleepers; i++) {
+        double arm = (rail == TRK_LEFT ? -0.5 : 0.5) * t->rail_spacing - t->sleeper_y[i];
+        double compression = u[t->node_dof[t->sleeper_node[i]] + 2 * rail] - (u[t->sleeper_dof[i]] + arm * u[t->sleeper_dof[i] + 1]);
+        double force = t->pad_k[rail * t->sleepers + i] * compression;
+        if (i == 0 || force > s->force) {
+            s->force = force;
+            s->compression = compression;
+            s->number = t->sleeper_number[i];
+        }
+    }
+}
+
+const char *seat_load(struct seat *s, const struct trk *t, const struct point *p, int excite, double load)
+{
+    struct statics solver;
+    double *u = calloc((size_t)t->dofs, sizeof *u);
+    const char *why = u ? static_new(&solver, t) : REASON_MEMORY;
+
+    if (!why) {
+        spread(t, p, excite, load, u);
+        why = static_solve(&solver, u, u);
+        static_free(&solver);
+    }
+    if (!why)
+        take(s, t, p, point_rail(excite), load, u);
+    free(u);
+    return why;
+}
