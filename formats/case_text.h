@@ -1,0 +1,38 @@
+/* A case: one passage, as people write it: case(5). */
+#ifndef VX_CASE_TEXT_H
+#define VX_CASE_TEXT_H
+
+#include "formats/run.h"
+#include "formats/yaml.h"
+
+enum case_route { CASE_THROUGH, CASE_DIVERGING };
+enum case_law { CASE_HERTZ, CASE_LINEAR };
+
+struct case_dip {
+    double from, length, depth;              /* m */
+};
+
+struct case_text {
+    char *name;
+    char *track, *vehicle;                   /* files, relative to the case; NULL where not named */
+    char *contact_left, *contact_right;
+    double speed;                            /* km/h: the one input that is not SI */
+    int route, direction;                    /* enum case_route; facing is the only direction */
+    double friction;
+    double start, end;                       /* m, stations of the front wheelset */
+    double step;                             /* s */
+    int scheme;                              /* explicit is the only one */
+    struct {
+        int law;                             /* enum case_law */
+        double stiffness, damping, series;   /* N/m, N s/m, N/m: of the linear law */
+        double hertz_damping;                /* s/m */
+        int64_t grid;                        /* strips and steps of FASTSIM */
+    } contact;
+    double sampling;                         /* Hz */
+    struct { int group[RUN_GROUPS]; } channels;
+    struct yaml_list dip;                    /* of struct case_dip */
+};
+
+extern const struct yaml_schema case_schema;
+
+#endif

@@ -1,0 +1,31 @@
+/* The track centre line in plan: curvature, heading and offset from the tangent at its beginning.
+ *
+ * x forward, y to the right, yaw right-handed about z down, so curvature is positive to the right.  With stations s_i,
+ *   heading(s) = integral of curvature,   offset(s) = integral of heading,
+ * a point of the centre line at s lies offset(s) - offset(s0) - heading(s0)(s - s0) to the right of the tangent at s0, for the small
+ * angles between the ends of a coupling.  So a train whose lateral positions and yaws count from here runs on this alignment as on a
+ * straight track, and the curve enters where wheel meets rail and nowhere else. */
+#ifndef VX_ALIGNMENT_H
+#define VX_ALIGNMENT_H
+
+#include <stdint.h>
+
+struct alignment {
+    int64_t n;
+    const double *x;         /* m [n] stations, increasing; curvature 0 before the first */
+    const double *curvature; /* 1/m [n] from x[i] to x[i + 1] */
+    double *heading;         /* rad [n] at x[i] */
+    double *offset;          /* m [n] at x[i] */
+};
+
+struct alignment_point {
+    double curvature, heading, offset;
+};
+
+/* x and curvature must outlive a. */
+const char *alignment_new(struct alignment *a, int64_t n, const double *x, const double *curvature);
+void alignment_free(struct alignment *a);
+
+struct alignment_point alignment_at(const struct alignment *a, double s);
+
+#endif

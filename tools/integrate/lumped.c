@@ -1,0 +1,298 @@
+/* Everything per step runs over arrays of `stride` numbers: elements along a rail, pads, ballast, accelerations. */
+#include "tools/integrate/lumped.h"
+#include "formats/reason.h"
+#include "tools/integrate/clones.h"
+#include "tools/track/beam.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LANES = 8 };
+
+/* ---- setting up ---- */
+
+/* The next array of a store made in two passes: the first counts, the second hands out. */
+struct room {
+    double *base;
+    size_t used;
+};
+
+static double *take(struct room *r, size_t n)
+{
+    double *p = r->base ? r->base + r->used : NULL;
+
+    r->used += n;
+    return p;
+}
+
+static void place_arrays(struct lumped *l, struct room *r)
+{
+    size_t n = (size_t)l->stride, all = LUMPED_PARTS * n;
+
+    l->u = take(r, all);
+    l->v = take(r, all);
+    l->a = take(r, all);
+    l->before = take(r, all);
+    l->inverse = take(r, all);
+    for (int s = 0; s < 2; s++) {
+        l->pad[s] = take(r, n);
+        l->k12[s] = take(r, n);
+        l->k6[s] = take(r, n);
+        l->k4[s] = take(r, n);
+        l->shear[s] = take(r, n + LANES);
+        l->near[s] = take(r, n + LANES);
+        l->far[s] = take(r, n + LANES);
+        l->pad_k[s] = take(r, n);
+        l->pad_c[s] = take(r, n);
+        l->arm[s] = take(r, n);
+    }
+    for (int s = 0; s < 3; s++) {
+        l->ballast[s] = take(r, n);
+        l->ballast_k[s] = take(r, n);
+        l->ballast_c[s] = take(r, n);
+        l->ballast_y[s] = take(r, n);
+    }
+}
+
+static void set_rail(struct lumped *l, int s)
+{
+    const struct trk *t = l->track;
+    double *w = l->inverse + (s ? LUMPED_WR : LUMPED_WL) * l->stride;
+    double *p = l->inverse + (s ? LUMPED_TR : LUMPED_TL) * l->stride;
+
+    for (int64_t i = 0; i < l->n; i++) {
+        w[i] = 1 / t->rail_mass[s * l->n + i];
+        p[i] = 1 / t->rail_inertia[s * l->n + i];
+    }
+    for (int64_t i = 0; i + 1 < l->n; i++) {
+        double EI = t->bending[s * (l->n - 1) + i], L = t->x[i + 1] - t->x[i];
+        l->k12[s][i] = 12 * EI / (L * L * L);
+        l->k6[s][i] = 6 * EI / (L * L);
+        l->k4[s][i] = 4 * EI / L;
+    }
+}
+
+static void set_sleepers(struct lumped *l)
+{
+    const struct trk *t = l->track;
+
+    for (int64_t i = 0; i < l->n; i++) {
+        l->inverse[LUMPED_Z * l->stride + i] = 1 / t->sleeper_mass[i];
+        l->inverse[LUMPED_ROLL * l->stride + i] = 1 / t->sleeper_inertia[i];
+        for (int s = 0; s < 2; s++) {
+            l->pad_k[s][i] = t->pad_k[s * l->n + i];
+            l->pad_c[s][i] = t->pad_c[s * l->n + i];
+            l->arm[s][i] = (s ? 0.5 : -0.5) * t->rail_spacing - t->sleeper_y[i];
+        }
+        for (int s = 0; s < 3; s++) {
+            l->ballast_k[s][i] = t->ballast_k[s * l->n + i];
+            l->ballast_c[s][i] = t->ballast_c[s * l->n + i];
+            l->ballast_y[s][i] = t->ballast_y[s * l->n + i];
+        }
+    }
+}
+
+const char *lumped_new(struct lumped *l, const struct trk *t, double gravity)
+{
+    struct room room = {0};
+
+    *l = (struct lumped){.track = t, .n = t->sleepers, .gravity = gravity};
+    l->stride = (t->sleepers + LANES - 1) / LANES * LANES;
+    if (t->nodes != t->sleepers || t->nodes < 2)
+        return "the explicit scheme wants one rail node above every sleeper: elements_per_bay: 1";
+    place_arrays(l, &room);
+    if (!(room.base = l->store = calloc(room.used, sizeof *l->store)))
+        return REASON_MEMORY;
+    room.used = 0;
+    place_arrays(l, &room);
+    for (int s = 0; s < 2; s++)
+        set_rail(l, s);
+    set_sleepers(l);
+    return NULL;
+}
+
+void lumped_free(struct lumped *l)
+{
+    free(l->store);
+    *l = (struct lumped){0};
+}
+
+/* ---- accelerations ---- */
+
+/* End forces of the elements, with the elongation w1 - w2 and the pitches t1, t2 (K of beam.h):
+ *   shear = 12 EI/L^3 (w1 - w2) - 6 EI/L^2 (t1 + t2)
+ *   near  = -6 EI/L^2 (w1 - w2) + EI/L (4 t1 + 2 t2),  far = ... + EI/L (2 t1 + 4 t2) */
+CLONES static void bend(int64_t n, const double *restrict w, const double *restrict t, const double *restrict k12,
+                        const double *restrict k6, const double *restrict k4, double *restrict shear,
+                        double *restrict near, double *restrict far)
+{
+    for (int64_t i = 0; i < n - 1; i++) {
+        double d = w[i] - w[i + 1];
+        shear[i] = k12[i] * d - k6[i] * (t[i] + t[i + 1]);
+        near[i] = k4[i] * (t[i] + 0.5 * t[i + 1]) - k6[i] * d;
+        far[i] = k4[i] * (0.5 * t[i] + t[i + 1]) - k6[i] * d;
+    }
+}
+
+/* Force of a spring and damper between w and a sleeper's point z + y roll. */
+CLONES static void compress(int64_t n, const double *restrict w, const double *restrict vw, const double *restrict z,
+                            const double *restrict vz, const double *restrict r, const double *restrict vr,
+                            const double *restrict y, const double *restrict k, const double *restrict c,
+                            double *restrict F)
+{
+    for (int64_t i = 0; i < n; i++)
+        F[i] = k[i] * (w[i] - z[i] - y[i] * r[i]) + c[i] * (vw[i] - vz[i] - y[i] * vr[i]);
+}
+
+CLONES static void settle(int64_t n, const double *restrict z, const double *restrict vz, const double *restrict r,
+                          const double *restrict vr, const double *restrict y, const double *restrict k,
+                          const double *restrict c, double *restrict F)
+{
+    for (int64_t i = 0; i < n; i++)
+        F[i] = k[i] * (z[i] + y[i] * r[i]) + c[i] * (vz[i] + y[i] * vr[i]);
+}
+
+/* m a_w = shear behind - shear ahead - pad + m g;   J a_t = -near ahead - far behind. */
+CLONES static void rail_acceleration(int64_t n, const double *restrict shear, const double *restrict near,
+                                     const double *restrict far, const double *restrict pad,
+                                     const double *restrict inverse_m, const double *restrict inverse_J, double g,
+                                     double *restrict aw, double *restrict at)
+{
+    for (int64_t i = 0; i < n; i++) {
+        aw[i] = (shear[i - 1] - shear[i] - pad[i]) * inverse_m[i] + g;
+        at[i] = -(near[i] + far[i - 1]) * inverse_J[i];
+    }
+}
+
+CLONES static void sleeper_acceleration(int64_t n, const double *restrict pl, const double *restrict pr,
+                                        const double *restrict yl, const double *restrict yr,
+                                        const double *restrict b0, const double *restrict b1, const double *restrict b2,
+                                        const double *restrict y0, const double *restrict y1, const double *restrict y2,
+                                        const double *restrict inverse_m, const double *restrict inverse_J, double g,
+                                        double *restrict az, double *restrict ar)
+{
+    for (int64_t i = 0; i < n; i++) {
+        az[i] = (pl[i] + pr[i] - b0[i] - b1[i] - b2[i]) * inverse_m[i] + g;
+        ar[i] = (yl[i] * pl[i] + yr[i] * pr[i] - y0[i] * b0[i] - y1[i] * b1[i] - y2[i] * b2[i]) * inverse_J[i];
+    }
+}
+
+void lumped_accelerate(struct lumped *l)
+{
+    int64_t n = l->n, k = l->stride;
+    const double *z = l->u + LUMPED_Z * k, *r = l->u + LUMPED_ROLL * k;
+    const double *vz = l->v + LUMPED_Z * k, *vr = l->v + LUMPED_ROLL * k;
+
+    for (int s = 0; s < 2; s++) {
+        int64_t w = (s ? LUMPED_WR : LUMPED_WL) * k, t = (s ? LUMPED_TR : LUMPED_TL) * k;
+        double *shear = l->shear[s] + LANES, *near = l->near[s] + LANES, *far = l->far[s] + LANES;
+        bend(n, l->u + w, l->u + t, l->k12[s], l->k6[s], l->k4[s], shear, near, far);
+        compress(n, l->u + w, l->v + w, z, vz, r, vr, l->arm[s], l->pad_k[s], l->pad_c[s], l->pad[s]);
+        rail_acceleration(n, shear, near, far, l->pad[s], l->inverse + w, l->inverse + t, l->gravity, l->a + w, l->a + t);
+    }
+    for (int s = 0; s < 3; s++)
+        settle(n, z, vz, r, vr, l->ballast_y[s], l->ballast_k[s], l->ballast_c[s], l->ballast[s]);
+    sleeper_acceleration(n, l->pad[0], l->pad[1], l->arm[0], l->arm[1], l->ballast[0], l->ballast[1], l->ballast[2],
+                         l->ballast_y[0], l->ballast_y[1], l->ballast_y[2], l->inverse + LUMPED_Z * k,
+                         l->inverse + LUMPED_ROLL * k, l->gravity, l->a + LUMPED_Z * k, l->a + LUMPED_ROLL * k);
+}
+
+/* ---- wheels ---- */
+
+/* Hermite functions of [w1 t1 w2 t2] by x, with e = a/L:
+ *   N' = [6(e^2 - e)/L, -(1 - 4e + 3e^2), 6(e - e^2)/L, -(3e^2 - 2e)]. */
+static void shape_slope(double L, double a, double N[4])
+{
+    double e = a / L;
+
+    N[0] = 6 * (e * e - e) / L;
+    N[1] = -(1 - 4 * e + 3 * e * e);
+    N[2] = -N[0];
+    N[3] = -(3 * e * e - 2 * e);
+}
+
+struct lumped_place lumped_find(const struct lumped *l, int rail, double x)
+{
+    const double *node = l->track->x;
+    struct lumped_place p;
+    int64_t low = 0, high = l->n - 1;
+    double L;
+
+    while (high - low > 1) {
+        int64_t middle = (low + high) / 2;
+        if (x >= node[middle])
+            low = middle;
+        else
+            high = middle;
+    }
+    p.node = low;
+    L = node[low + 1] - node[low];
+    beam_shape(L, x - node[low], p.shape);
+    shape_slope(L, x - node[low], p.slope);
+    p.compliance = beam_compliance(l->track->bending[rail * (l->n - 1) + low], L, x - node[low]);
+    return p;
+}
+
+double lumped_sample(const struct lumped *l, int rail, const struct lumped_place *p, const double f[4], const double *state)
+{
+    const double *w = state + (rail ? LUMPED_WR : LUMPED_WL) * l->stride + p->node;
+    const double *t = state + (rail ? LUMPED_TR : LUMPED_TL) * l->stride + p->node;
+
+    return f[0] * w[0] + f[1] * t[0] + f[2] * w[1] + f[3] * t[1];
+}
+
+void lumped_load(struct lumped *l, int rail, const struct lumped_place *p, double F)
+{
+    int64_t w = (rail ? LUMPED_WR : LUMPED_WL) * l->stride + p->node;
+    int64_t t = (rail ? LUMPED_TR : LUMPED_TL) * l->stride + p->node;
+
+    l->a[w] += F * p->shape[0] * l->inverse[w];
+    l->a[t] += F * p->shape[1] * l->inverse[t];
+    l->a[w + 1] += F * p->shape[2] * l->inverse[w + 1];
+    l->a[t + 1] += F * p->shape[3] * l->inverse[t + 1];
+}
+
+/* M = -EI w'' is positive where the rail sags, so near = EI w'' = -M and far = -EI w'' = M.  The element behind a node and the one
+ * ahead differ by the node's inertia: the mean is taken. */
+void lumped_moment(const struct lumped *l, int rail, double *m)
+{
+    const double *near = l->near[rail] + LANES, *far = l->far[rail] + LANES;
+
+    for (int64_t i = 0; i < l->n; i++)
+        m[i] = i == 0 ? -near[0] : i == l->n - 1 ? far[i - 1] : 0.5 * (far[i - 1] - near[i]);
+}
+
+/* ---- stability ---- */
+
+enum { POWER_ITERATIONS = 400 };
+
+/* x <- M^-1 K x, scaled: the factor tends to the square of the highest frequency.  M^-1 K is similar to a symmetric
+ * matrix, so the quotient with M as weight is that of Rayleigh and converges as the square of the vector does. */
+double lumped_highest(struct lumped *l)
+{
+    size_t n = (size_t)(LUMPED_PARTS * l->stride);
+    double lambda = 0, g = l->gravity;
+
+    l->gravity = 0;
+    memset(l->v, 0, n * sizeof *l->v);
+    for (size_t i = 0; i < n; i++)
+        l->u[i] = l->inverse[i] > 0 ? (i % 2 ? -1.0 : 1.0) / (1.0 + (double)(i % 7)) : 0;
+    for (int k = 0; k < POWER_ITERATIONS; k++) {
+        double xx = 0, xy = 0, yy = 0;
+        lumped_accelerate(l);
+        for (size_t i = 0; i < n; i++)
+            if (l->inverse[i] > 0) {
+                xx += l->u[i] * l->u[i] / l->inverse[i];
+                xy -= l->u[i] * l->a[i] / l->inverse[i];
+                yy += l->a[i] * l->a[i];
+            }
+        lambda = xy / xx;
+        for (size_t i = 0; i < n; i++)
+            l->u[i] = -l->a[i] / sqrt(yy);
+    }
+    memset(l->u, 0, n * sizeof *l->u);
+    memset(l->a, 0, n * sizeof *l->a);
+    l->gravity = g;
+    return sqrt(lambda);
+}

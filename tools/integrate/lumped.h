@@ -1,0 +1,56 @@
+/* The track with lumped masses, for the explicit scheme: one rail node above every sleeper.
+ *
+ * z down, pitch t = -dw/dx.  The state is one vector of six parts of `stride` numbers each: deflection and pitch of the left rail's nodes, of the
+ * right rail's, deflection and roll of the sleepers. */
+#ifndef VX_LUMPED_H
+#define VX_LUMPED_H
+
+#include "formats/trk.h"
+
+enum lumped_part { LUMPED_WL, LUMPED_TL, LUMPED_WR, LUMPED_TR, LUMPED_Z, LUMPED_ROLL, LUMPED_PARTS };
+
+struct lumped {
+    const struct trk *track;            /* must outlive this */
+    int64_t n, stride;                  /* sleepers; rounded up to whole vectors */
+    double gravity;                     /* m/s2 */
+    double *u, *v, *a, *before;         /* [6 stride] m, rad; rates; accelerations now and a step before */
+    double *pad[2], *ballast[3];        /* N [stride] compressive forces at the last accelerations, dead weight included */
+    double *inverse;                    /* 1/kg, 1/(kg m2) [6 stride] */
+    double *k12[2], *k6[2], *k4[2];     /* N/m, N, N m [stride] 12 EI/L^3, 6 EI/L^2, 4 EI/L of the element behind a node */
+    double *shear[2], *near[2], *far[2];/* N, N m [stride + 8] end forces of the elements, one ahead of the first */
+    double *pad_k[2], *pad_c[2], *arm[2];               /* N/m, N s/m, m [stride] of the pads; arm to the sleeper's centre */
+    double *ballast_k[3], *ballast_c[3], *ballast_y[3]; /* the same of the ballast */
+    double *store;
+};
+
+/* Fails where nodes and sleepers do not go in pairs. */
+const char *lumped_new(struct lumped *l, const struct trk *t, double gravity);
+void lumped_free(struct lumped *l);
+
+/* Accelerations a, pad and ballast forces from u and v, without wheels. */
+void lumped_accelerate(struct lumped *l);
+
+/* Where a wheel stands: its element and the shape functions there. */
+struct lumped_place {
+    int64_t node;         /* ahead of the wheel is node + 1 */
+    double shape[4];      /* of [w t w t] */
+    double slope[4];      /* 1/m their derivatives by x */
+    double compliance;    /* m/N of the loaded element, a^3 b^3/(3 EI L^3) */
+};
+
+/* The element of rail 0 left or 1 right under station x, which must lie between the first and the last node. */
+struct lumped_place lumped_find(const struct lumped *l, int rail, double x);
+
+/* f.[w t w t] with the shape or slope functions f, of the state u or v. */
+double lumped_sample(const struct lumped *l, int rail, const struct lumped_place *p, const double f[4], const double *state);
+
+/* Adds to a what a force F down at the place gives. */
+void lumped_load(struct lumped *l, int rail, const struct lumped_place *p, double F);
+
+/* Bending moment N m at the nodes of a rail into m[n], positive with tension in the foot. */
+void lumped_moment(const struct lumped *l, int rail, double *m);
+
+/* rad/s, the highest natural frequency of the track without damping, by power iteration on M^-1 K (leaves the state zero). */
+double lumped_highest(struct lumped *l);
+
+#endif

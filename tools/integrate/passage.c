@@ -1,0 +1,182 @@
+#include "tools/integrate/passage.h"
+#include "formats/reason.h"
+#include "tools/integrate/clones.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define STEP_MARGIN 0.94   /* of 2/omega: damping lowers the limit; Table 1 of the thesis runs at 0.94 and fails at 0.99 */
+#define END_MARGIN 5.0     /* m that every wheel keeps from a free rail end */
+
+/* ---- checks ---- */
+
+static const char *check_ends(const struct passage_options *o, const struct trk *t, const struct veh *v)
+{
+    double rear = 0, first = t->x[0] + END_MARGIN, last = t->x[t->nodes - 1] - END_MARGIN;
+
+    for (int64_t i = 0; i < v->wheelsets; i++)
+        rear = fmin(rear, v->cg[3 * v->wheelset[i]]);
+    if (o->start + rear < first)
+        return reason("the last wheelset would start at %.2f m, but the track carries wheels from %.2f m", o->start + rear, first);
+    if (o->end > last)
+        return reason("the front wheelset would end at %.2f m, but the track carries wheels to %.2f m", o->end, last);
+    return NULL;
+}
+
+static const char *check_tables(const struct veh *v, const struct ctab *left, const struct ctab *right)
+{
+    if (left->side != 'l' || right->side != 'r')
+        return "the contact tables are not one of a left and one of a right side";
+    for (int64_t i = 0; i < v->wheelsets; i++)
+        if (fabs(v->radius[i] - left->radius) > 1e-6 || fabs(v->radius[i] - right->radius) > 1e-6)
+            return reason("wheelset %lld has radius %g m, the contact tables %g and %g m", (long long)i + 1, v->radius[i],
+                          left->radius, right->radius);
+    return NULL;
+}
+
+static const char *check_step(struct passage *p)
+{
+    p->limit = STEP_MARGIN * 2 / lumped_highest(&p->rails);
+    if (p->o.step > p->limit)
+        return reason("step %g s is beyond the limit of the explicit scheme on this track, %.3g s", p->o.step, p->limit);
+    return NULL;
+}
+
+const char *passage_new(struct passage *p, const struct passage_options *o, const struct trk *track, const struct veh *vehicle,
+                        const struct ctab *left, const struct ctab *right)
+{
+    size_t wheels = (size_t)(2 * vehicle->wheelsets);
+    const char *why;
+
+    *p = (struct passage){.o = *o, .track = track, .vehicle = vehicle, .table = {left, right}, .station = o->start};
+    p->steps = (int64_t)ceil((o->end - o->start) / (o->speed * o->step) - 1e-9);
+    p->memory = calloc(wheels, sizeof *p->memory);
+    p->wheel = calloc(wheels, sizeof *p->wheel);
+    if (!p->memory || !p->wheel)
+        why = REASON_MEMORY;
+    else if (!(why = check_ends(o, track, vehicle)) && !(why = check_tables(vehicle, left, right)) &&
+             !(why = alignment_new(&p->alignment, track->curves, track->curve_x, track->curvature)) &&
+             !(why = lumped_new(&p->rails, track, vehicle->gravity)) && !(why = train_new(&p->train, vehicle, o->speed)))
+        why = check_step(p);
+    if (why)
+        passage_free(p);
+    return why;
+}
+
+void passage_free(struct passage *p)
+{
+    alignment_free(&p->alignment);
+    lumped_free(&p->rails);
+    train_free(&p->train);
+    free(p->memory);
+    free(p->wheel);
+    memset(p, 0, sizeof *p);
+}
+
+/* ---- forces ---- */
+
+/* Depth and slope of all dips at s. */
+static void sum_dips(const struct passage_options *o, double s, double *depth, double *slope)
+{
+    *depth = *slope = 0;
+    for (int64_t i = 0; i < o->dips; i++) {
+        const struct case_dip *d = &o->dip[i];
+        double k = 2 * M_PI / d->length;
+        if (s <= d->from || s >= d->from + d->length)
+            continue;
+        *depth += 0.5 * d->depth * (1 - cos(k * (s - d->from)));
+        *slope += 0.5 * d->depth * k * sin(k * (s - d->from));
+    }
+}
+
+static double wheel_station(const struct passage *p, int64_t i)
+{
+    return p->station + p->vehicle->cg[3 * p->vehicle->wheelset[i]];
+}
+
+static void fill_input(const struct passage *p, int64_t i, int side, const struct lumped_place *place, struct wheel_input *in)
+{
+    in->table = p->table[side];
+    in->s = wheel_station(p, i);
+    train_wheelset(&p->train, i, in);
+    in->rail_z = lumped_sample(&p->rails, side, place, place->shape, p->rails.u);
+    in->rail_v = lumped_sample(&p->rails, side, place, place->shape, p->rails.v);
+    in->rail_slope = lumped_sample(&p->rails, side, place, place->slope, p->rails.u);
+    in->compliance = place->compliance;
+    sum_dips(&p->o, in->s, &in->dip, &in->dip_slope);
+}
+
+void passage_wheel_input(const struct passage *p, int64_t i, int side, struct wheel_input *in)
+{
+    struct lumped_place place = lumped_find(&p->rails, side, wheel_station(p, i));
+
+    fill_input(p, i, side, &place, in);
+}
+
+static const char *wheel_forces(struct passage *p)
+{
+    for (int64_t k = 0; k < 2 * p->vehicle->wheelsets; k++) {
+        int side = (int)(k % 2);
+        struct lumped_place place = lumped_find(&p->rails, side, wheel_station(p, k / 2));
+        struct wheel_input in;
+        fill_input(p, k / 2, side, &place, &in);
+        const char *why = wheel_force(&p->o.law, &in, &p->memory[k], &p->wheel[k]);
+        if (why)
+            return reason("wheelset %lld, %s wheel, station %.3f m: %s", (long long)(k / 2 + 1), side ? "right" : "left",
+                          in.s, why);
+        lumped_load(&p->rails, side, &place, p->wheel[k].Q);
+    }
+    return NULL;
+}
+
+const char *passage_forces(struct passage *p)
+{
+    const char *why;
+
+    train_locate(&p->train, &p->alignment, p->station);
+    lumped_accelerate(&p->rails);
+    if ((why = wheel_forces(p)))
+        return why;
+    train_accelerate(&p->train, p->wheel);
+    return NULL;
+}
+
+/* ---- the step ---- */
+
+/* With before = a, as passage_start leaves it, the first step is x + v h + a h^2/2, v + a h. */
+CLONES static void predict(int64_t n, double h, double *restrict x, double *restrict v, const double *restrict a,
+                           double *restrict before)
+{
+    for (int64_t i = 0; i < n; i++) {
+        x[i] += v[i] * h + (a[i] - 0.5 * before[i]) * h * h;
+        v[i] += (1.5 * a[i] - 0.5 * before[i]) * h;
+        before[i] = a[i];
+    }
+}
+
+/* A motion that grows without bound shows in the train, which stands on everything else. */
+static const char *check_motion(const struct passage *p)
+{
+    double sum = 0;
+
+    for (int64_t k = 0; k < p->train.dofs; k++)
+        sum += p->train.a[k];
+    return isfinite(sum) ? NULL : reason("the motion is not finite at station %.3f m", p->station);
+}
+
+const char *passage_step(struct passage *p)
+{
+    struct lumped *l = &p->rails;
+    struct train *t = &p->train;
+    const char *why;
+
+    predict(LUMPED_PARTS * l->stride, p->o.step, l->u, l->v, l->a, l->before);
+    predict(t->dofs, p->o.step, t->q, t->v, t->a, t->before);
+    p->n++;
+    p->time = (double)p->n * p->o.step;
+    p->station = p->o.start + p->o.speed * p->time;
+    if ((why = passage_forces(p)))
+        return why;
+    return check_motion(p);
+}

@@ -1,0 +1,54 @@
+/* One passage: train and track moving together, in explicit steps.
+ *
+ * Zhai's two-step scheme (Zhai 1996, IJNME 39, 4199) with both parameters 1/2:
+ *   x(n+1) = x + v h + (a - a(n-1)/2) h^2,   v(n+1) = v + (3 a - a(n-1)) h/2,
+ * then all forces from x(n+1), v(n+1), and a(n+1) without solving, since the mass is diagonal.  Second order; stable up to about 2/omega of the
+ * highest frequency of the track. */
+#ifndef VX_PASSAGE_H
+#define VX_PASSAGE_H
+
+#include "formats/case_text.h"
+#include "tools/integrate/alignment.h"
+#include "tools/integrate/lumped.h"
+#include "tools/integrate/train.h"
+#include "tools/integrate/wheel.h"
+
+struct passage_options {
+    double speed;                   /* m/s */
+    double start, end;              /* m, stations of the front wheelset */
+    double step;                    /* s */
+    struct wheel_law law;
+    int64_t dips;
+    const struct case_dip *dip;     /* [dips] depth/2 (1 - cos 2 pi (s - from)/length) under every wheel */
+};
+
+struct passage {
+    struct passage_options o;
+    const struct trk *track;
+    const struct veh *vehicle;
+    const struct ctab *table[2];    /* left, right */
+    struct alignment alignment;
+    struct lumped rails;
+    struct train train;
+    struct wheel_memory *memory;    /* [wheelsets][2] */
+    struct wheel_output *wheel;     /* [wheelsets][2] */
+    double limit;                   /* s, of a stable step */
+    int64_t n, steps;               /* done, and in all */
+    double time, station;           /* s, m of the front wheelset */
+};
+
+/* Checks that train, track, tables and options fit together, and the step against its limit.  All inputs must outlive p. */
+const char *passage_new(struct passage *p, const struct passage_options *o, const struct trk *track, const struct veh *vehicle,
+                        const struct ctab *left, const struct ctab *right);
+void passage_free(struct passage *p);
+
+/* All forces and accelerations from the present positions and rates. */
+const char *passage_forces(struct passage *p);
+
+/* One step on; fails, with station and wheelset, where a wheel leaves its rail's table or motion is not finite. */
+const char *passage_step(struct passage *p);
+
+/* Rail deflection and the like for wheel (i, side) at the present state. */
+void passage_wheel_input(const struct passage *p, int64_t i, int side, struct wheel_input *in);
+
+#endif

@@ -1,0 +1,239 @@
+#include "tools/integrate/record.h"
+#include "formats/reason.h"
+#include "tools/integrate/clones.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- setting up ---- */
+
+static const char *describe(struct record *r, const struct passage *p)
+{
+    const struct veh *v = p->vehicle;
+    const struct trk *t = p->track;
+
+    r->wheelset_x = calloc((size_t)v->wheelsets, sizeof *r->wheelset_x);
+    if (!r->wheelset_x)
+        return REASON_MEMORY;
+    for (int64_t i = 0; i < v->wheelsets; i++)
+        r->wheelset_x[i] = v->cg[3 * v->wheelset[i]];
+    r->run = (struct run){
+        .speed = p->o.speed, .step = p->o.step, .friction = p->o.law.friction, .gravity = v->gravity,
+        .rail_spacing = t->rail_spacing, .wheelsets = v->wheelsets, .bodies = v->bodies, .sleepers = t->sleepers,
+        .nodes = t->nodes, .zones = t->zones, .curves = t->curves, .wheelset_x = r->wheelset_x,
+        .static_q = v->wheel_load, .radius = v->radius, .wheelset = v->wheelset, .mass = v->mass,
+        .inertia = v->inertia, .cg = v->cg, .body_name = v->body_name, .sleeper_x = t->sleeper_x,
+        .sleeper_number = t->sleeper_number, .node_x = t->x, .zone_name = t->zone_name, .pad_zone = t->pad_zone,
+        .curve_x = t->curve_x, .curvature = t->curvature,
+    };
+    return NULL;
+}
+
+static const char *allocate(struct record *r)
+{
+    int n = 0;
+
+    for (int c = 0; c < RUN_CHANNELS; c++) {
+        size_t element = vxf_type_size(run_channels[c].type);
+        r->size[c] = run_count(&r->run, &run_channels[c]);
+        if (r->recorded[c] && !(r->buffer[c] = calloc(RECORD_BLOCK * (size_t)r->size[c] + 1, element)))
+            return REASON_MEMORY;
+        if (r->recorded[c])
+            r->series[n++] = r->buffer[c];
+    }
+    for (int c = 0; c < RUN_EXTREMES; c++)
+        if (!(r->extreme[c] = calloc((size_t)run_count(&r->run, &run_extremes[c]) + 1, sizeof(double))))
+            return REASON_MEMORY;
+    for (int64_t k = 0; k < 2 * r->run.wheelsets; k++)
+        r->extreme[RUN_MIN_Q][k] = HUGE_VAL;
+    r->moment = calloc((size_t)r->run.nodes, sizeof *r->moment);
+    return r->moment ? NULL : REASON_MEMORY;
+}
+
+const char *record_new(struct record *r, const struct passage *p, const int *groups, int64_t every)
+{
+    const char *why;
+
+    *r = (struct record){.every = every};
+    for (int c = 0; c < RUN_CHANNELS; c++)
+        r->recorded[c] = run_channels[c].group == RUN_GROUPS || groups[run_channels[c].group];
+    why = describe(r, p);
+    if (!why)
+        why = allocate(r);
+    if (why)
+        record_free(r);
+    return why;
+}
+
+void record_free(struct record *r)
+{
+    for (int c = 0; c < RUN_CHANNELS; c++)
+        free(r->buffer[c]);
+    for (int c = 0; c < RUN_EXTREMES; c++)
+        free(r->extreme[c]);
+    free(r->moment);
+    free(r->wheelset_x);
+    *r = (struct record){0};
+}
+
+/* ---- extremes ---- */
+
+CLONES static void keep_largest(int64_t n, const double *restrict x, double *restrict largest)
+{
+    for (int64_t i = 0; i < n; i++)
+        largest[i] = x[i] > largest[i] ? x[i] : largest[i];
+}
+
+CLONES static void keep_magnitude(int64_t n, const double *restrict x, double *restrict largest)
+{
+    for (int64_t i = 0; i < n; i++) {
+        double magnitude = x[i] < 0 ? -x[i] : x[i];
+        largest[i] = magnitude > largest[i] ? magnitude : largest[i];
+    }
+}
+
+/* Compression of a pad: its own ends, not its force over its stiffness, which the damper shares. */
+CLONES static void keep_compression(int64_t n, const double *restrict w, const double *restrict z, const double *restrict roll,
+                                    const double *restrict arm, double *restrict largest)
+{
+    for (int64_t i = 0; i < n; i++) {
+        double d = w[i] - z[i] - arm[i] * roll[i];
+        largest[i] = d > largest[i] ? d : largest[i];
+    }
+}
+
+static void wheel_extremes(struct record *r, const struct passage *p)
+{
+    for (int64_t k = 0; k < 2 * r->run.wheelsets; k++) {
+        double Q = p->wheel[k].Q;
+        if (Q > r->extreme[RUN_MAX_Q][k]) {
+            r->extreme[RUN_MAX_Q][k] = Q;
+            r->extreme[RUN_AT_MAX_Q][k] = p->station + r->wheelset_x[k / 2];
+        }
+        r->extreme[RUN_MIN_Q][k] = fmin(r->extreme[RUN_MIN_Q][k], Q);
+        r->extreme[RUN_MAX_Y][k] = fmax(r->extreme[RUN_MAX_Y][k], fabs(p->wheel[k].Y));
+    }
+}
+
+static void track_extremes(struct record *r, const struct passage *p)
+{
+    const struct lumped *l = &p->rails;
+    int64_t n = l->n, k = l->stride;
+
+    for (int s = 0; s < 2; s++) {
+        keep_largest(n, l->pad[s], r->extreme[RUN_MAX_PAD] + s * n);
+        keep_compression(n, l->u + (s ? LUMPED_WR : LUMPED_WL) * k, l->u + LUMPED_Z * k, l->u + LUMPED_ROLL * k,
+                         l->arm[s], r->extreme[RUN_MAX_PAD_COMPRESSION] + s * n);
+        lumped_moment(l, s, r->moment);
+        keep_magnitude(n, r->moment, r->extreme[RUN_MAX_NODE_M] + s * n);
+    }
+    for (int s = 0; s < 3; s++)
+        keep_largest(n, l->ballast[s], r->extreme[RUN_MAX_BALLAST] + s * n);
+    keep_magnitude(n, l->a + LUMPED_Z * k, r->extreme[RUN_MAX_SLEEPER_A]);
+}
+
+/* ---- samples ---- */
+
+/* Where the present record of channel c begins; NULL where the channel is not kept. */
+static void *slot(const struct record *r, enum run_channel c)
+{
+    size_t at = (size_t)(r->held * r->size[c]) * vxf_type_size(run_channels[c].type);
+
+    return r->buffer[c] ? (char *)r->buffer[c] + at : NULL;
+}
+
+static void put(const struct record *r, enum run_channel c, int64_t i, double value)
+{
+    double *x = slot(r, c);
+
+    if (x)
+        x[i] = value;
+}
+
+/* n numbers as floats, from element `first` of the record on. */
+static void put_floats(const struct record *r, enum run_channel c, int64_t first, int64_t n, const double *value)
+{
+    float *x = slot(r, c);
+
+    for (int64_t i = 0; x && i < n; i++)
+        x[first + i] = (float)value[i];
+}
+
+static void sample_wheels(const struct record *r, const struct passage *p)
+{
+    static const struct wheel_patch none;
+
+    for (int64_t k = 0; k < 2 * r->run.wheelsets; k++) {
+        const struct wheel_output *w = &p->wheel[k];
+        put(r, RUN_Q, k, w->Q);
+        put(r, RUN_Y, k, w->Y);
+        put(r, RUN_T, k, w->T);
+        put(r, RUN_MX, k, w->Mx);
+        put(r, RUN_RAIL_Z, k, w->rail_z);
+        for (int j = 0; j < RUN_CONTACTS; j++) {
+            const struct wheel_patch *c = j < w->patches ? &w->patch[j] : &none;
+            int64_t i = k * RUN_CONTACTS + j;
+            put(r, RUN_N, i, c->N);
+            put(r, RUN_CONTACT_Y, i, c->rail_y);
+            put(r, RUN_CONTACT_WHEEL_Y, i, c->wheel_y);
+            put(r, RUN_CONTACT_X, i, c->x);
+            put(r, RUN_ANGLE, i, c->angle);
+            put(r, RUN_XI, i, c->xi);
+            put(r, RUN_ETA, i, c->eta);
+            put(r, RUN_PHI, i, c->phi);
+            put(r, RUN_TX, i, c->tx);
+            put(r, RUN_TY, i, c->ty);
+            put(r, RUN_BODY, i, c->body);
+        }
+    }
+}
+
+static void sample_bodies(const struct record *r, const struct passage *p)
+{
+    for (int64_t i = 0; i < r->run.bodies; i++) {
+        double q[6], v[6];
+        train_in_frame(&p->train, i, q, v);
+        for (int k = 0; k < 6; k++) {
+            put(r, RUN_BODY_Q, 6 * i + k, q[k]);
+            put(r, RUN_BODY_V, 6 * i + k, v[k]);
+            put(r, RUN_BODY_A, 6 * i + k, p->train.a[6 * i + k]);
+        }
+    }
+}
+
+static void sample_track(struct record *r, const struct passage *p)
+{
+    const struct lumped *l = &p->rails;
+    int64_t n = l->n, k = l->stride;
+
+    for (int s = 0; s < 2; s++) {
+        int64_t w = (s ? LUMPED_WR : LUMPED_WL) * k;
+        put_floats(r, RUN_PAD, s * n, n, l->pad[s]);
+        put_floats(r, RUN_NODE_Z, s * n, n, l->u + w);
+        put_floats(r, RUN_NODE_A, s * n, n, l->a + w);
+        if (r->recorded[RUN_NODE_M]) {
+            lumped_moment(l, s, r->moment);
+            put_floats(r, RUN_NODE_M, s * n, n, r->moment);
+        }
+    }
+    for (int s = 0; s < 3; s++)
+        put_floats(r, RUN_BALLAST_F, s * n, n, l->ballast[s]);
+    put_floats(r, RUN_SLEEPER_Z, 0, n, l->u + LUMPED_Z * k);
+    put_floats(r, RUN_SLEEPER_ROLL, 0, n, l->u + LUMPED_ROLL * k);
+    put_floats(r, RUN_SLEEPER_A, 0, n, l->a + LUMPED_Z * k);
+}
+
+int record_step(struct record *r, const struct passage *p)
+{
+    wheel_extremes(r, p);
+    track_extremes(r, p);
+    if (p->n % r->every)
+        return 0;
+    put(r, RUN_TIME, 0, p->time);
+    put(r, RUN_STATION, 0, p->station);
+    sample_wheels(r, p);
+    sample_bodies(r, p);
+    sample_track(r, p);
+    return ++r->held == RECORD_BLOCK;
+}

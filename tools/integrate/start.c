@@ -1,0 +1,279 @@
+/* Wheel loads -> track -> wheelset heights -> bodies on their springs -> wheel loads, until the loads stand still: the track is
+ * so much stiffer than the springs that each round gains two digits. */
+#include "tools/integrate/start.h"
+#include "formats/reason.h"
+#include "tools/track/static.h"
+
+#include <lapacke.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { ROUNDS_MOST = 30, HEIGHT_MOST = 60 };
+#define LOAD_TOLERANCE 1e-3   /* N */
+#define HEIGHT_TOLERANCE 1e-3 /* N, of a wheel load found by its height */
+
+struct rest {
+    struct passage *p;
+    struct statics statics;
+    double *f, *u;          /* [track dofs] */
+    double *load;           /* N [wheels] */
+    int64_t n;              /* dofs that move: all of bodies that are not wheelsets */
+    int64_t *free;          /* [n] their numbers */
+    double *K;              /* [n][n] their stiffness */
+    double *x;              /* [n] */
+    lapack_int *pivot;      /* [n] */
+};
+
+/* ---- track ---- */
+
+/* Own weight and wheel loads as nodal forces; pitch is that of trk.h, as in lumped. */
+static void track_loads(struct rest *r)
+{
+    const struct trk *t = r->p->track;
+    double g = r->p->rails.gravity;
+
+    memset(r->f, 0, (size_t)t->dofs * sizeof *r->f);
+    for (int64_t i = 0; i < t->nodes; i++)
+        for (int s = 0; s < 2; s++)
+            r->f[t->node_dof[i] + 2 * s] += t->rail_mass[s * t->nodes + i] * g;
+    for (int64_t i = 0; i < t->sleepers; i++)
+        r->f[t->sleeper_dof[i]] += t->sleeper_mass[i] * g;
+    for (int64_t k = 0; k < 2 * r->p->vehicle->wheelsets; k++) {
+        int64_t body = r->p->vehicle->wheelset[k / 2];
+        int s = (int)(k % 2);
+        struct lumped_place at = lumped_find(&r->p->rails, s, r->p->station + r->p->vehicle->cg[3 * body]);
+        for (int j = 0; j < 4; j++)
+            r->f[t->node_dof[at.node + j / 2] + 2 * s + j % 2] += at.shape[j] * r->load[k];
+    }
+}
+
+static const char *settle_track(struct rest *r)
+{
+    const struct trk *t = r->p->track;
+    struct lumped *l = &r->p->rails;
+    const char *why;
+
+    track_loads(r);
+    if ((why = static_solve(&r->statics, r->f, r->u)))
+        return why;
+    for (int64_t i = 0; i < t->nodes; i++)
+        for (int part = LUMPED_WL; part <= LUMPED_TR; part++)
+            l->u[part * l->stride + i] = r->u[t->node_dof[i] + part];
+    for (int64_t i = 0; i < t->sleepers; i++)
+        for (int part = LUMPED_Z; part <= LUMPED_ROLL; part++)
+            l->u[part * l->stride + i] = r->u[t->sleeper_dof[i] + part - LUMPED_Z];
+    return NULL;
+}
+
+/* ---- wheels ---- */
+
+/* Height z of the wheel at which it carries `load`, with both wheels of the set at that height: bisection on a force that grows with z. */
+static const char *seek_height(struct rest *r, int64_t k, double *z)
+{
+    struct passage *p = r->p;
+    struct wheel_input in;
+    double low, high, load = r->load[k];
+
+    passage_wheel_input(p, k / 2, (int)(k % 2), &in);
+    in.roll = in.vroll = in.rail_v = in.vz = 0;
+    in.rail_slope = 0;
+    low = in.rail_z - 0.02;
+    high = in.rail_z + 0.02;
+    for (int i = 0; i < HEIGHT_MOST; i++) {
+        struct wheel_memory memory = {.local = in.compliance * load};
+        struct wheel_output out;
+        const char *why;
+        in.z = 0.5 * (low + high);
+        for (int j = 0; j < 3; j++) /* the creep force enters a step late */
+            if ((why = wheel_force(&p->o.law, &in, &memory, &out)))
+                return why;
+        p->memory[k] = memory;
+        if (fabs(out.Q - load) < HEIGHT_TOLERANCE)
+            break;
+        *(out.Q < load ? &low : &high) = in.z;
+    }
+    *z = in.z;
+    return NULL;
+}
+
+/* Wheelsets stand where both wheels carry their loads, rolling without longitudinal creep. */
+static const char *settle_wheelsets(struct rest *r)
+{
+    struct passage *p = r->p;
+
+    for (int64_t i = 0; i < p->vehicle->wheelsets; i++) {
+        double z[2], *q = p->train.q + 6 * p->vehicle->wheelset[i];
+        double base = p->table[1]->wheel_position - p->table[0]->wheel_position;
+        for (int s = 0; s < 2; s++) {
+            const char *why = seek_height(r, 2 * i + s, &z[s]);
+            if (why)
+                return why;
+        }
+        q[VEH_Z] = 0.5 * (z[0] + z[1]);
+        q[VEH_ROLL] = (z[1] - z[0]) / base;
+    }
+    return NULL;
+}
+
+/* Longitudinal creep forces of a wheelset rolling at `spin` beyond -v/r0, summed about the axle. */
+static const char *axle_moment(struct rest *r, int64_t i, double spin, double *moment)
+{
+    struct passage *p = r->p;
+    const char *why = NULL;
+
+    p->train.v[6 * p->vehicle->wheelset[i] + VEH_PITCH] = spin;
+    *moment = 0;
+    for (int s = 0; s < 2 && !why; s++) {
+        struct wheel_input in;
+        struct wheel_memory memory = p->memory[2 * i + s];
+        struct wheel_output out;
+        passage_wheel_input(p, i, s, &in);
+        in.rail_slope = 0;
+        why = wheel_force(&p->o.law, &in, &memory, &out);
+        *moment += out.moment[1];
+    }
+    return why;
+}
+
+/* Free rolling: the spin at which the moment vanishes, bracketed by 2 % of v/r0; the moment falls with spin. */
+static const char *settle_spin(struct rest *r, int64_t i)
+{
+    double high = 0.02 * r->p->o.speed / r->p->vehicle->radius[i], low = -high, moment;
+
+    for (int k = 0; k < HEIGHT_MOST; k++) {
+        double middle = 0.5 * (low + high);
+        const char *why = axle_moment(r, i, middle, &moment);
+        if (why)
+            return why;
+        *(moment > 0 ? &low : &high) = middle;
+    }
+    return NULL;
+}
+
+/* ---- bodies ---- */
+
+static int is_wheelset(const struct veh *v, int64_t body)
+{
+    for (int64_t i = 0; i < v->wheelsets; i++)
+        if (v->wheelset[i] == body)
+            return 1;
+    return 0;
+}
+
+static void find_free(struct rest *r)
+{
+    const struct veh *v = r->p->vehicle;
+
+    for (int64_t i = 0; i < v->bodies; i++)
+        for (int k = 0; k < 6 && !is_wheelset(v, i); k++)
+            r->free[r->n++] = 6 * i + k;
+}
+
+/* Bodies follow their wheelsets: one Newton step on the couplings, linear about rest. */
+static const char *settle_bodies(struct rest *r)
+{
+    const struct veh *v = r->p->vehicle;
+    struct train *t = &r->p->train;
+    lapack_int n = (lapack_int)r->n;
+
+    train_accelerate(t, r->p->wheel);
+    for (int64_t i = 0; i < r->n; i++) {
+        r->x[i] = t->f[r->free[i]];
+        for (int64_t j = 0; j < r->n; j++)
+            r->K[i * r->n + j] = v->K[r->free[i] * t->dofs + r->free[j]];
+    }
+    if (n > 0 && LAPACKE_dgesv(LAPACK_ROW_MAJOR, n, 1, r->K, n, r->pivot, r->x, 1) != 0)
+        return "a body of the vehicle is not supported";
+    for (int64_t i = 0; i < r->n; i++)
+        t->q[r->free[i]] += r->x[i];
+    return NULL;
+}
+
+/* What each wheelset's couplings and weight press down, shared by its wheels; *change is the largest change. */
+static void share_loads(struct rest *r, double *change)
+{
+    const struct veh *v = r->p->vehicle;
+    double base = r->p->table[1]->wheel_position - r->p->table[0]->wheel_position;
+
+    memset(r->p->wheel, 0, (size_t)(2 * v->wheelsets) * sizeof *r->p->wheel);
+    train_accelerate(&r->p->train, r->p->wheel);
+    *change = 0;
+    for (int64_t i = 0; i < v->wheelsets; i++) {
+        const double *f = r->p->train.f + 6 * v->wheelset[i];
+        for (int s = 0; s < 2; s++) {
+            double load = 0.5 * f[VEH_Z] + (s ? 1 : -1) * f[VEH_ROLL] / base;
+            *change = fmax(*change, fabs(load - r->load[2 * i + s]));
+            r->load[2 * i + s] = load;
+        }
+    }
+}
+
+/* ---- all of it ---- */
+
+static const char *settle(struct rest *r)
+{
+    const struct veh *v = r->p->vehicle;
+    const char *why = NULL;
+    double change = 1e30;
+
+    memcpy(r->load, v->wheel_load, (size_t)(2 * v->wheelsets) * sizeof *r->load);
+    for (int i = 0; i < ROUNDS_MOST && change > LOAD_TOLERANCE && !why; i++) {
+        if (!(why = settle_track(r)) && !(why = settle_wheelsets(r)) && !(why = settle_bodies(r)))
+            share_loads(r, &change);
+    }
+    for (int64_t i = 0; i < v->wheelsets && !why; i++)
+        why = settle_spin(r, i);
+    if (!why && change > LOAD_TOLERANCE)
+        why = reason("no static equilibrium found: wheel loads still change by %.3g N", change);
+    return why;
+}
+
+/* The forces of that state; the motion begins with these accelerations. */
+static const char *begin(struct passage *p, double *residual)
+{
+    const char *why = passage_forces(p);
+
+    *residual = 0;
+    if (why)
+        return why;
+    for (int64_t i = 0; i < p->vehicle->bodies; i++)
+        *residual = fmax(*residual, fabs(p->train.a[6 * i + VEH_Z]) / p->vehicle->gravity);
+    memcpy(p->rails.before, p->rails.a, (size_t)(LUMPED_PARTS * p->rails.stride) * sizeof *p->rails.a);
+    memcpy(p->train.before, p->train.a, (size_t)p->train.dofs * sizeof *p->train.a);
+    return NULL;
+}
+
+const char *passage_start(struct passage *p, double *residual)
+{
+    const struct veh *v = p->vehicle;
+    struct rest r = {.p = p};
+    size_t wheels = (size_t)(2 * v->wheelsets), dofs = (size_t)p->train.dofs;
+    const char *why;
+
+    train_locate(&p->train, &p->alignment, p->station);
+    r.f = calloc((size_t)p->track->dofs, sizeof *r.f);
+    r.u = calloc((size_t)p->track->dofs, sizeof *r.u);
+    r.load = calloc(wheels, sizeof *r.load);
+    r.free = calloc(dofs, sizeof *r.free);
+    r.K = calloc(dofs * dofs, sizeof *r.K);
+    r.x = calloc(dofs, sizeof *r.x);
+    r.pivot = calloc(dofs, sizeof *r.pivot);
+    if (!r.f || !r.u || !r.load || !r.free || !r.K || !r.x || !r.pivot)
+        why = REASON_MEMORY;
+    else if (!(why = static_new(&r.statics, p->track))) {
+        find_free(&r);
+        why = settle(&r);
+        if (!why)
+            why = begin(p, residual);
+        static_free(&r.statics);
+    }
+    free(r.f);
+    free(r.u);
+    free(r.load);
+    free(r.free);
+    free(r.K);
+    free(r.x);
+    free(r.pivot);
+    return why;
+}

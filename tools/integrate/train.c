@@ -1,0 +1,115 @@
+#include "tools/integrate/train.h"
+#include "formats/reason.h"
+#include "tools/vehicle/couplings.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static void set_inverse(struct train *t)
+{
+    const struct veh *v = t->vehicle;
+
+    for (int64_t i = 0; i < v->bodies; i++)
+        for (int k = 0; k < 6; k++)
+            t->inverse[6 * i + k] = 1 / (k < 3 ? v->mass[i] : v->inertia[3 * i + k - 3]);
+    for (int64_t i = 0; i < v->wheelsets; i++)
+        t->inverse[6 * v->wheelset[i] + VEH_X] = 0;
+}
+
+const char *train_new(struct train *t, const struct veh *v, double speed)
+{
+    size_t n = (size_t)(6 * v->bodies);
+
+    *t = (struct train){.vehicle = v, .dofs = 6 * v->bodies, .speed = speed};
+    t->q = calloc(6 * n, sizeof *t->q);
+    t->line = calloc((size_t)v->bodies, sizeof *t->line);
+    if (!t->q || !t->line) {
+        train_free(t);
+        return REASON_MEMORY;
+    }
+    t->v = t->q + n;
+    t->a = t->v + n;
+    t->before = t->a + n;
+    t->f = t->before + n;
+    t->inverse = t->f + n;
+    set_inverse(t);
+    return NULL;
+}
+
+void train_free(struct train *t)
+{
+    free(t->q);
+    free(t->line);
+    *t = (struct train){0};
+}
+
+void train_locate(struct train *t, const struct alignment *a, double s)
+{
+    for (int64_t i = 0; i < t->vehicle->bodies; i++)
+        t->line[i] = alignment_at(a, s + t->vehicle->cg[3 * i]);
+}
+
+void train_in_frame(const struct train *t, int64_t i, double q[6], double v[6])
+{
+    const struct alignment_point *p = &t->line[i];
+
+    memcpy(q, t->q + 6 * i, 6 * sizeof *q);
+    memcpy(v, t->v + 6 * i, 6 * sizeof *v);
+    q[VEH_Y] -= p->offset;
+    q[VEH_YAW] -= p->heading;
+    v[VEH_Y] -= p->heading * t->speed;      /* d offset/dt  = heading v   */
+    v[VEH_YAW] -= p->curvature * t->speed;  /* d heading/dt = curvature v */
+}
+
+void train_wheelset(const struct train *t, int64_t i, struct wheel_input *in)
+{
+    int64_t body = t->vehicle->wheelset[i];
+    double q[6], v[6];
+
+    train_in_frame(t, body, q, v);
+    in->v = t->speed;
+    in->curvature = t->line[body].curvature;
+    in->radius = t->vehicle->radius[i];
+    in->y = q[VEH_Y];
+    in->z = q[VEH_Z];
+    in->roll = q[VEH_ROLL];
+    in->yaw = q[VEH_YAW];
+    in->vy = v[VEH_Y];
+    in->vz = v[VEH_Z];
+    in->vroll = v[VEH_ROLL];
+    in->vyaw = v[VEH_YAW];
+    in->spin = v[VEH_PITCH] - t->speed / in->radius;
+}
+
+/* Forces of both wheels, and what turning the spinning wheelset takes: with the axle along (-yaw, 1, roll) and H = Jy spin,
+ *   Jx roll'' - H yaw' = Mx,   Jz yaw'' + H roll' = Mz,   yaw' that in space. */
+static void add_wheels(struct train *t, int64_t i, const struct wheel_output w[2])
+{
+    const struct veh *v = t->vehicle;
+    int64_t body = v->wheelset[i];
+    double *f = t->f + 6 * body, *rate = t->v + 6 * body;
+    double H = v->inertia[3 * body + 1] * (rate[VEH_PITCH] - t->speed / v->radius[i]);
+
+    f[VEH_PITCH] = 0; /* the bearings leave the axle free */
+    for (int side = 0; side < 2; side++)
+        for (int k = 0; k < 3; k++) {
+            f[k] += w[side].force[k];
+            f[3 + k] += w[side].moment[k];
+        }
+    f[VEH_ROLL] += H * rate[VEH_YAW];
+    f[VEH_YAW] -= H * rate[VEH_ROLL];
+}
+
+void train_accelerate(struct train *t, const struct wheel_output *w)
+{
+    const struct veh *v = t->vehicle;
+
+    memset(t->f, 0, (size_t)t->dofs * sizeof *t->f);
+    for (int64_t i = 0; i < v->bodies; i++)
+        t->f[6 * i + VEH_Z] = v->mass[i] * v->gravity;
+    couplings_force(v, t->q, t->v, t->f);
+    for (int64_t i = 0; i < v->wheelsets; i++)
+        add_wheels(t, i, w + 2 * i);
+    for (int64_t k = 0; k < t->dofs; k++)
+        t->a[k] = t->f[k] * t->inverse[k];
+}

@@ -1,0 +1,38 @@
+/* The train in the time step: bodies on the alignment, couplings, weights, wheel forces, gyroscopic moments.
+ *
+ * Lateral position and yaw of every body count from the tangent at the beginning of the alignment (alignment.h), so the
+ * couplings see them as on a straight track; less offset and heading at the body's station they are those in its own
+ * track-following frame, which wheels and recorders use.  The pitch of a wheelset is its spin beyond -v/r0. */
+#ifndef VX_TRAIN_H
+#define VX_TRAIN_H
+
+#include "formats/veh.h"
+#include "tools/integrate/alignment.h"
+#include "tools/integrate/wheel.h"
+
+struct train {
+    const struct veh *vehicle;      /* must outlive this */
+    int64_t dofs;                   /* 6 bodies */
+    double speed;                   /* m/s */
+    double *q, *v, *a, *before;     /* [dofs] m, rad; rates; accelerations now and a step before */
+    double *f;                      /* [dofs] N, N m */
+    double *inverse;                /* [dofs] 1/kg, 1/(kg m2); 0 for a wheelset's x, which is prescribed */
+    struct alignment_point *line;   /* [bodies] the alignment at each body now */
+};
+
+const char *train_new(struct train *t, const struct veh *v, double speed);
+void train_free(struct train *t);
+
+/* The alignment under every body, the front wheelset at station s. */
+void train_locate(struct train *t, const struct alignment *a, double s);
+
+/* Position, rates and spin of wheelset i (from 0) in its own frame into in. */
+void train_wheelset(const struct train *t, int64_t i, struct wheel_input *in);
+
+/* Accelerations from q, v and the wheel forces w [wheelsets][2]. */
+void train_accelerate(struct train *t, const struct wheel_output *w);
+
+/* Displacement and rate of body i in its own frame. */
+void train_in_frame(const struct train *t, int64_t i, double q[6], double v[6]);
+
+#endif

@@ -1,0 +1,171 @@
+/* Normal forces first, with the rail's local deflection d = compliance Q solved together with them (a lagged force is unstable
+ * with contact damping); then creepages and creep forces of each contact.
+ *
+ * Contact plane: t = (0, cos g, sin g) along it, n = (0, -sin g, cos g) into the rail, g the contact angle. */
+#include "tools/integrate/wheel.h"
+#include "formats/reason.h"
+#include "tools/contact/lookup.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { NEWTON_MOST = 50 };
+#define NEWTON_TOLERANCE 1e-14 /* m, of the local deflection: 1e-5 N */
+
+struct approach {
+    int n;
+    struct contact c[CONTACT_MAX];
+    double reach[CONTACT_MAX]; /* m how far the wheel stands below first touch, the local deflection not counted */
+    double rate[CONTACT_MAX];  /* m/s */
+    double N[CONTACT_MAX];     /* N of the whole contact; its share is weight N */
+};
+
+/* reach = z + roll b - height(u, roll, s) - rail - dip, all vertical, b the running circle's y. */
+static const char *approach_find(struct approach *a, const struct wheel_input *in)
+{
+    double b = in->table->wheel_position;
+    double u = in->y - in->roll * in->radius, vu = in->vy - in->vroll * in->radius;
+
+    a->n = contact_lookup(in->table, in->s, in->yaw, u, in->roll, a->c);
+    if (a->n < 0)
+        return reason("the wheel is %.1f mm beside its rail, which is beyond the contact table", 1e3 * u);
+    for (int k = 0; k < a->n; k++) {
+        const struct contact *c = &a->c[k];
+        a->reach[k] = in->z + in->roll * b - c->height - in->rail_z - in->dip;
+        a->rate[k] = in->vz + in->vroll * b - c->height_u * vu - c->height_roll * in->vroll - c->height_s * in->v -
+                     in->rail_v - in->rail_slope * in->v - in->dip_slope * in->v;
+    }
+    return NULL;
+}
+
+/* Normal force of contact k for local deflection d and its rate; *slope is dN/dd, d moving the rail down. */
+static double normal_force(const struct wheel_law *law, const struct approach *a, int k, double d, double rate_d, double *slope)
+{
+    const double *row = a->c[k].row;
+    double cosg = cos(row[CTAB_ANGLE]);
+    double e = (a->reach[k] - d) * cosg, ve = (a->rate[k] - rate_d) * cosg, N;
+
+    *slope = 0;
+    if (e <= 0)
+        return 0;
+    if (law->normal == WHEEL_LINEAR) {
+        N = law->stiffness * e + law->damping * ve;
+        *slope = -(law->stiffness + law->damping / law->step) * cosg;
+    } else {
+        double root = sqrt(e), C = row[CTAB_HERTZ_C], factor = 1 + law->hertz_damping * ve;
+        N = C * e * root * factor;
+        *slope = -(1.5 * C * root * factor + C * e * root * law->hertz_damping / law->step) * cosg;
+    }
+    if (N <= 0) {
+        *slope = 0;
+        return 0;
+    }
+    return N;
+}
+
+/* d - compliance Q(d) = 0 by Newton; Q falls with d, so the function rises and has one zero. */
+static double solve_local(const struct wheel_law *law, const struct wheel_input *in, const struct wheel_memory *memory,
+                          struct approach *a)
+{
+    double d = memory->local;
+
+    for (int i = 0; i < NEWTON_MOST; i++) {
+        double Q = memory->creep_z, dQ = 0, move;
+        for (int k = 0; k < a->n; k++) {
+            double slope, cosg = cos(a->c[k].row[CTAB_ANGLE]);
+            a->N[k] = normal_force(law, a, k, d, (d - memory->local) / law->step, &slope);
+            Q += a->c[k].weight * a->N[k] * cosg;
+            dQ += a->c[k].weight * slope * cosg;
+        }
+        move = (d - in->compliance * Q) / (1 - in->compliance * dQ);
+        if (fabs(move) < NEWTON_TOLERANCE)
+            break;
+        d -= move;
+    }
+    return d;
+}
+
+/* Creepages of wheel against rail at a point r from the wheelset's centre, over v.  The wheel's material moves with
+ * omega x r, omega = (roll' - spin yaw, spin, yaw' + spin roll); the rail comes along x at v(1 - curvature y). */
+static void creepages(const struct wheel_input *in, const double r[3], double track_y, double angle, double creep[3])
+{
+    double wx = in->vroll - in->spin * in->yaw, wy = in->spin, wz = in->vyaw + in->spin * in->roll;
+    double sx = wy * r[2] - wz * r[1] + in->v * (1 - in->curvature * track_y);
+    double sy = in->vy + wz * r[0] - wx * r[2];
+    double sz = in->vz + wx * r[1] - wy * r[0] - in->rail_v;
+
+    creep[0] = sx / in->v;
+    creep[1] = (sy * cos(angle) + sz * sin(angle)) / in->v;
+    creep[2] = ((wz + in->curvature * in->v) * cos(angle) - wy * sin(angle)) / in->v;
+}
+
+/* What contact k adds to the wheel's forces. */
+static void add_contact(const struct wheel_law *law, const struct wheel_input *in, const struct approach *a, int k,
+                        double rail_z, struct wheel_output *out, struct wheel_patch *p)
+{
+    const struct ctab *t = in->table;
+    const double *row = a->c[k].row;
+    double N = a->N[k], w = a->c[k].weight, root = cbrt(N), g = row[CTAB_ANGLE], cosg = cos(g), sing = sin(g);
+    double y = t->rail_position + row[CTAB_RAIL_Y], z = rail_z + row[CTAB_RAIL_Z];
+    double r[3] = {row[CTAB_X], y - in->y, z - in->z + in->radius}, creep[3], T[3], F[3], M[3];
+
+    creepages(in, r, y, g, creep);
+    fastsim(&law->grid, row[CTAB_HERTZ_A] * root, row[CTAB_HERTZ_B] * root, N, law->friction, t->shear_modulus, t->poisson,
+            creep[0], creep[1], creep[2], T);
+    F[0] = w * T[0];                             /* on the rail: N n + Tx x + Ty t, spin moment Mz n */
+    F[1] = w * (-N * sing + T[1] * cosg);
+    F[2] = w * (N * cosg + T[1] * sing);
+    M[0] = r[1] * F[2] - r[2] * F[1];
+    M[1] = r[2] * F[0] - r[0] * F[2] - w * T[2] * sing;
+    M[2] = r[0] * F[1] - r[1] * F[0] + w * T[2] * cosg;
+    out->T += F[0];
+    out->Y += F[1];
+    out->Q += F[2];
+    out->Mx += y * F[2] - z * F[1];
+    out->force[0] -= F[0];
+    out->force[1] -= F[1];
+    out->force[2] -= F[2];
+    out->moment[0] -= M[0];
+    out->moment[1] -= M[1] - in->yaw * M[0] + in->roll * M[2]; /* about the axle (-yaw, 1, roll) */
+    out->moment[2] -= M[2];
+    *p = (struct wheel_patch){w * N, F[0], w * T[1], creep[0], creep[1], creep[2],
+                              row[CTAB_RAIL_Y], row[CTAB_WHEEL_Y], row[CTAB_X], g, row[CTAB_BODY]};
+}
+
+/* Keeps the RUN_CONTACTS most loaded, in order. */
+static void keep_patch(struct wheel_output *out, const struct wheel_patch *p)
+{
+    int i = out->patches < RUN_CONTACTS ? out->patches++ : RUN_CONTACTS;
+
+    while (i > 0 && out->patch[i - 1].N < p->N) {
+        if (i < RUN_CONTACTS)
+            out->patch[i] = out->patch[i - 1];
+        i--;
+    }
+    if (i < RUN_CONTACTS)
+        out->patch[i] = *p;
+}
+
+const char *wheel_force(const struct wheel_law *law, const struct wheel_input *in, struct wheel_memory *memory,
+                        struct wheel_output *out)
+{
+    struct approach a;
+    const char *why = approach_find(&a, in);
+    double normal_z = 0, d;
+
+    memset(out, 0, sizeof *out);
+    if (why)
+        return why;
+    d = solve_local(law, in, memory, &a);
+    for (int k = 0; k < a.n; k++)
+        if (a.N[k] > 0) {
+            struct wheel_patch p;
+            add_contact(law, in, &a, k, in->rail_z + in->dip + d, out, &p);
+            keep_patch(out, &p);
+            normal_z += a.c[k].weight * a.N[k] * cos(a.c[k].row[CTAB_ANGLE]);
+        }
+    memory->local = d;
+    memory->creep_z = out->Q - normal_z;
+    out->rail_z = in->rail_z + d;
+    return NULL;
+}

@@ -1,0 +1,66 @@
+/* Forces between one wheel and its rail, at one instant.
+ *
+ * Track axes: x forward, y to the right, z down.  Q, Y, T are forces of the wheel on the rail; force and moment are those on the
+ * wheelset, about its centre. */
+#ifndef VX_WHEEL_H
+#define VX_WHEEL_H
+
+#include "formats/ctab.h"
+#include "formats/run.h"
+#include "tools/creep/fastsim.h"
+
+enum wheel_normal { WHEEL_HERTZ, WHEEL_LINEAR };
+
+/* What is the same for all wheels and steps. */
+struct wheel_law {
+    enum wheel_normal normal;
+    double stiffness, damping;   /* N/m, N s/m along the normal: WHEEL_LINEAR, a spring in series condensed */
+    double hertz_damping;        /* s/m, N = C d^1.5 (1 + hertz_damping d'): 0 is plain Hertz */
+    double friction;             /* 1 */
+    double step;                 /* s */
+    struct fastsim grid;
+};
+
+/* Where wheelset and rail are. */
+struct wheel_input {
+    const struct ctab *table;
+    double s, v;                 /* m, m/s station and speed */
+    double curvature;            /* 1/m of the track there */
+    double y, z, roll, yaw;      /* m, rad of the wheelset in its track-following frame */
+    double vy, vz, vroll, vyaw;  /* their rates */
+    double spin;                 /* rad/s about the axle, about -v/r0 */
+    double radius;               /* m, r0 */
+    double rail_z;               /* m deflection of the rail, from its nodes */
+    double rail_v;               /* m/s velocity of the rail's material */
+    double rail_slope;           /* 1 dw/dx */
+    double compliance;           /* m/N of the loaded rail element */
+    double dip, dip_slope;       /* m, 1 irregularity: its depth and slope along s */
+};
+
+/* Carried from step to step. */
+struct wheel_memory {
+    double local;                /* m deflection of the rail element under the wheel, between its nodes */
+    double creep_z;              /* N vertical part of the creep force, a step old while the normal force is sought */
+};
+
+struct wheel_patch {
+    double N, tx, ty;            /* N normal force, creep force along x and along the contact plane */
+    double xi, eta, phi;         /* 1, 1, 1/m */
+    double rail_y, wheel_y, x, angle;
+    double body;
+};
+
+struct wheel_output {
+    double Q, Y, T;              /* N on the rail */
+    double Mx;                   /* N m of Q and Y about the track axis at rail level */
+    double force[3], moment[3];  /* N, N m on the wheelset: x y z, about x, about the axle, about z */
+    double rail_z;               /* m deflection of the rail under the wheel */
+    int patches;                 /* with N > 0, the most loaded first */
+    struct wheel_patch patch[RUN_CONTACTS];
+};
+
+/* Fails where the wheel leaves the contact table.  A wheel off its rail has no force and no patch. */
+const char *wheel_force(const struct wheel_law *law, const struct wheel_input *in, struct wheel_memory *memory,
+                        struct wheel_output *out);
+
+#endif

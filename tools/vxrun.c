@@ -1,0 +1,252 @@
+/* vxrun: one train through one track.
+ *
+ * In: a case (YAML), a track (.trk), a vehicle (.veh), contact tables of both sides (.ctab).  Out: a .run, written while
+ * the train runs and renamed when it is complete.  Axes: x forward, y to the right, z down; forces are those of the wheel on the rail.
+ * Method: explicit two-step integration of bodies, rails and sleepers; Hertz or linear contact, FASTSIM (integrate/passage.h).
+ * Arrays read: all of the inputs.  Arrays written: run(5). */
+#include "formats/case_text.h"
+#include "formats/ctab.h"
+#include "tools/cli/cli.h"
+#include "tools/integrate/record.h"
+#include "tools/integrate/start.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <time.h>
+#include <unistd.h>
+
+static const char usage[] =
+    "vxrun [-v] [--track T.trk] [--vehicle V.veh] [--contact-left L.ctab] [--contact-right R.ctab]\n"
+    "      [--set KEY=VALUE]... -o OUT.run CASE.yaml\n"
+    "vxrun --schema | --master";
+
+static struct {
+    const char *track, *vehicle, *left, *right, *out;
+    struct cli_list set;
+    int verbose, schema, master;
+} opt;
+
+static const struct cli_option options[] = {
+    {.name = "track", .type = CLI_TEXT, .value = &opt.track},
+    {.name = "vehicle", .type = CLI_TEXT, .value = &opt.vehicle},
+    {.name = "contact-left", .type = CLI_TEXT, .value = &opt.left},
+    {.name = "contact-right", .type = CLI_TEXT, .value = &opt.right},
+    {.name = "set", .type = CLI_LIST, .value = &opt.set},
+    {.name = "schema", .type = CLI_FLAG, .value = &opt.schema},
+    {.name = "master", .type = CLI_FLAG, .value = &opt.master},
+    {.name = "v", .type = CLI_FLAG, .value = &opt.verbose},
+    {.name = "o", .type = CLI_TEXT, .value = &opt.out},
+    {0},
+};
+
+static const struct cli_program program = {
+    .name = "vxrun",
+    .purpose = "Run a train over a track and write the history of the passage.",
+    .usage = usage,
+    .option = options,
+};
+
+struct inputs {
+    struct case_text text;
+    struct vxf file[4];
+    struct trk track;
+    struct veh vehicle;
+    struct ctab table[2];
+};
+
+/* A file named by the case lies beside the case. */
+static char *beside(const char *path, const char *name)
+{
+    const char *slash = strrchr(path, '/');
+    size_t n = slash && *name != '/' ? (size_t)(slash - path) + 1 : 0;
+    char *joined = calloc(n + strlen(name) + 1, 1);
+
+    if (!joined)
+        cli_die(REASON_MEMORY);
+    memcpy(joined, path, n);
+    memcpy(joined + n, name, strlen(name));
+    return joined;
+}
+
+/* The option goes before the case. */
+static void open_input(struct vxf *f, const char *option, const char *spelled, const char *case_path, const char *named,
+                       const char *kind)
+{
+    char *path;
+
+    if (option) {
+        cli_open(f, option, kind);
+        return;
+    }
+    if (!named)
+        cli_misuse("the case names no .%s file, and %s is not given", kind, spelled);
+    path = beside(case_path, named);
+    cli_open(f, path, kind);
+    free(path);
+}
+
+static void read_inputs(struct inputs *in, const char *path)
+{
+    const struct case_text *c = &in->text;
+
+    cli_check("case", yaml_read(path, &case_schema, opt.set.item, opt.set.n, &in->text, NULL));
+    open_input(&in->file[0], opt.track, "--track", path, c->track, "trk");
+    open_input(&in->file[1], opt.vehicle, "--vehicle", path, c->vehicle, "veh");
+    open_input(&in->file[2], opt.left, "--contact-left", path, c->contact_left, "ctab");
+    open_input(&in->file[3], opt.right, "--contact-right", path, c->contact_right, "ctab");
+    cli_check("track", trk_read(&in->track, &in->file[0]));
+    cli_check("vehicle", veh_read(&in->vehicle, &in->file[1]));
+    cli_check("left contact table", ctab_read(&in->table[0], &in->file[2]));
+    cli_check("right contact table", ctab_read(&in->table[1], &in->file[3]));
+}
+
+/* The massless point between two springs: condensed, k = k1 k2/(k1 + k2) and, at the low frequencies it passes, c = c1 (k2/(k1 + k2))^2. */
+static struct wheel_law contact_law(const struct case_text *c)
+{
+    double share = c->contact.series / (c->contact.stiffness + c->contact.series);
+    struct wheel_law law = {
+        .normal = c->contact.law == CASE_HERTZ ? WHEEL_HERTZ : WHEEL_LINEAR,
+        .stiffness = c->contact.stiffness * share,
+        .damping = c->contact.damping * share * share,
+        .hertz_damping = c->contact.hertz_damping,
+        .friction = c->friction,
+        .step = c->step,
+    };
+
+    fastsim_begin(&law.grid, (int)c->contact.grid);
+    return law;
+}
+
+static struct passage_options passage_options(const struct case_text *c)
+{
+    if (c->end <= c->start)
+        cli_die("case: end, %g m, must lie beyond start, %g m", c->end, c->start);
+    return (struct passage_options){
+        .speed = c->speed / 3.6, /* km/h */
+        .start = c->start,
+        .end = c->end,
+        .step = c->step,
+        .law = contact_law(c),
+        .dips = c->dip.n,
+        .dip = c->dip.item,
+    };
+}
+
+/* Whole steps between samples. */
+static int64_t sampling(const struct case_text *c)
+{
+    double every = 1 / (c->sampling * c->step);
+
+    if (every <= 1)
+        return 1;
+    if (fabs(every - rint(every)) > 1e-6 * every)
+        cli_die("case: sampling, %g Hz, is not a whole number of steps of %g s", c->sampling, c->step);
+    return (int64_t)rint(every);
+}
+
+static double seconds(void)
+{
+    struct timespec t;
+
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static void show_progress(const struct passage *p)
+{
+    static int64_t shown;
+
+    if (isatty(STDERR_FILENO) && (p->n - shown) * 50 >= p->steps) {
+        shown = p->n;
+        fprintf(stderr, "\r%s %3.0f %%  s = %.1f m  %s", program.name, 100.0 * (double)p->n / (double)p->steps, p->station,
+                p->n == p->steps ? "\n" : "");
+    }
+}
+
+/* The header goes out first, then blocks as they fill, then the extremes. */
+static void write_run(struct passage *p, struct record *r, struct vxf_out *head, struct cli_out *out)
+{
+    struct vxf_stream stream;
+    const char *why = vxf_stream_begin(&stream, head, out->file);
+    int full = record_step(r, p);
+
+    for (; !why && p->n < p->steps; full = record_step(r, p)) {
+        if (full) {
+            why = vxf_stream_block(&stream, r->held, r->series);
+            r->held = 0;
+        }
+        if (!why)
+            cli_check("run", passage_step(p));
+        show_progress(p);
+    }
+    if (!why)
+        why = vxf_stream_block(&stream, r->held, r->series);
+    if (!why)
+        why = vxf_stream_end(&stream, (const void *const *)r->extreme);
+    cli_check(opt.out ? opt.out : "standard output", why);
+}
+
+static void describe(const struct inputs *in, struct record *r, struct vxf_out *head)
+{
+    static const char *const route[] = {"through", "diverging"};
+
+    vxf_out_begin(head, "run");
+    for (int i = 0; i < 4; i++)
+        vxf_put_input(head, &in->file[i]);
+    vxf_put_key(head, "CMD", "%s", cli_command());
+    snprintf(r->run.name, sizeof r->run.name, "%s", in->text.name);
+    snprintf(r->run.route, sizeof r->run.route, "%s", route[in->text.route]);
+    run_put(&r->run, r->recorded, head);
+}
+
+static void account(const struct passage *p, double begun, double started, double residual)
+{
+    struct rusage used;
+
+    getrusage(RUSAGE_SELF, &used);
+    cli_note("%lld steps of %g s, limit %.3g s; at the start no body accelerates by more than %.1e g", (long long)p->steps,
+             p->o.step, p->limit, residual);
+    cli_note("start %.3f s, passage %.3f s (%.2f us a step), peak memory %ld MB", started - begun, seconds() - started,
+             1e6 * (seconds() - started) / (double)p->steps, used.ru_maxrss / 1024);
+}
+
+int main(int argc, char **argv)
+{
+    static struct inputs in;
+    static struct passage p;
+    static struct record r;
+    struct vxf_out head;
+    struct cli_out out;
+    double begun = seconds(), started, residual;
+    int n;
+    char **path = cli_begin(&program, argc, argv, 0, 1, &n);
+
+    if (opt.schema || opt.master) {
+        (opt.schema ? yaml_print_schema : yaml_print_master)(&case_schema, stdout);
+        return cli_end();
+    }
+    if (n == 0)
+        cli_misuse("the case is missing (-h shows the usage)");
+    read_inputs(&in, path[0]);
+    struct passage_options o = passage_options(&in.text);
+    cli_check("case", passage_new(&p, &o, &in.track, &in.vehicle, &in.table[0], &in.table[1]));
+    cli_check("start", passage_start(&p, &residual));
+    cli_check("run", record_new(&r, &p, in.text.channels.group, sampling(&in.text)));
+    describe(&in, &r, &head);
+    started = seconds();
+    cli_create_part(&out, opt.out);
+    write_run(&p, &r, &head, &out);
+    cli_close(&out);
+    if (opt.verbose)
+        account(&p, begun, started, residual);
+    vxf_out_free(&head);
+    record_free(&r);
+    passage_free(&p);
+    for (int i = 0; i < 4; i++)
+        vxf_close(&in.file[i]);
+    yaml_release(&case_schema, &in.text);
+    return cli_end();
+}
