@@ -7,10 +7,12 @@
 #include "tools/contact/wheelset.h"
 
 #include <math.h>
+#include <stddef.h>
 
 #include "formats/reason.h"
 
 #define EXACT 1e-15           /* m, rad: a step below this ends the iteration */
+#define LOOSE 1e-9            /* m, rad: a roll at the end of its bracket must balance to this */
 #define ROLL_MOST 0.02        /* rad */
 
 /* N at a side's height z: vertical force of its contacts, its derivative by z (N/m), the normal forces. */
@@ -138,6 +140,7 @@ const char *wheelset_rest(const struct ctab *left, const struct ctab *right, dou
     const char *why = imbalance(t, s, yaw, y, 0, load, w, &f, &slope);
 
     roll_bracket(t, y, &lo, &hi);
+    const double first = lo, last = hi;
     for (int i = 0; i < 100 && !why && roll_free; i++) {
         *(f > 0 ? &lo : &hi) = roll;
         double next = roll - f / slope;
@@ -151,10 +154,43 @@ const char *wheelset_rest(const struct ctab *left, const struct ctab *right, dou
     }
     if (why)
         return why;
+    if (roll_free && fabs(f) > LOOSE && fmin(roll - first, last - roll) < LOOSE)
+        return reason("displacement %g m: no rest within the tables, which end at a roll of %g or %g rad", y, first, last);
     const struct wheelset_side *l = &w->side[WHEELSET_LEFT], *r = &w->side[WHEELSET_RIGHT];
     double b_l = left->wheel_position, b_r = right->wheel_position;
     w->roll = roll;
     w->z = (l->z * b_r - r->z * b_l) / (b_r - b_l);               /* the straight line between both sides at y = 0 */
     w->radius_difference = r->radius - l->radius;
+    return NULL;
+}
+
+static void point_set(const struct wheelset *w, double y, struct wheelset_point *p)
+{
+    *p = (struct wheelset_point){.y = y, .z = w->z, .roll = w->roll, .radius_difference = w->radius_difference};
+    for (int i = 0; i < 2; i++) {
+        const double *row = w->side[i].contact[side_first(&w->side[i])].row;
+        p->rail_y[i] = row[CTAB_RAIL_Y];
+        p->wheel_y[i] = row[CTAB_WHEEL_Y];
+    }
+}
+
+const char *wheelset_sweep(const struct ctab *left, const struct ctab *right, double s, double yaw, double step, int roll_free,
+                           struct wheelset_point *p, int64_t most, int64_t *n)
+{
+    int64_t reach = (most - 1) / 2, lo = 0, hi = 0;
+    struct wheelset w;
+    const char *why = wheelset_rest(left, right, s, yaw, 0, 0, roll_free, &w);
+
+    if (why)
+        return why;
+    while (lo > -reach && !wheelset_rest(left, right, s, yaw, (double)(lo - 1) * step, 0, roll_free, &w))
+        lo--;
+    while (hi < reach && !wheelset_rest(left, right, s, yaw, (double)(hi + 1) * step, 0, roll_free, &w))
+        hi++;
+    *n = hi - lo + 1;
+    for (int64_t k = lo; k <= hi; k++) {
+        wheelset_rest(left, right, s, yaw, (double)k * step, 0, roll_free, &w);
+        point_set(&w, (double)k * step, &p[k - lo]);
+    }
     return NULL;
 }

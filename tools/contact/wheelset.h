@@ -28,4 +28,15 @@ struct wheelset {
 const char *wheelset_rest(const struct ctab *left, const struct ctab *right, double s, double yaw, double y, double load,
                           int roll_free, struct wheelset *w);
 
+/* One position of a sweep. */
+struct wheelset_point {
+    double y, z, roll;                     /* m, m, rad */
+    double radius_difference;              /* m */
+    double rail_y[2], wheel_y[2];          /* m, touching contact on rail and wheel, left and right */
+};
+
+/* Rigid rest positions at y = k step (m), from as far left to as far right as both tables reach, into p[most].  *n of them. */
+const char *wheelset_sweep(const struct ctab *left, const struct ctab *right, double s, double yaw, double step, int roll_free,
+                           struct wheelset_point *p, int64_t most, int64_t *n);
+
 #endif

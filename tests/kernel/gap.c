@@ -1,0 +1,107 @@
+/* Gap search: circle on plane, circle in a groove, two circles: closed forms; merging, ends, capacity. */
+#include "tools/contact/gap.h"
+
+#include "tests/kernel/tap.h"
+
+#define STEP 1e-4
+enum { N = 2001 };
+
+static double y[N], z[N], slope[N], k[N];
+static double store[2][3][2 * N];
+
+/* Tabulates z = c -+ sqrt(R^2 - (y - at)^2) over at +- half, sampled at odd places, into curve i. */
+static struct gap_curve arc(int i, double at, double bottom, double R, int sign, double half)
+{
+    int n = 801;
+    for (int j = 0; j < n; j++) {
+        double d = half * (2.0 * j / (n - 1) - 1), root = sqrt(R * R - d * d);
+        y[j] = at + d;
+        z[j] = bottom + sign * (root - R);
+        slope[j] = -sign * d / root;
+        k[j] = -sign / R;
+    }
+    struct gap_curve c = {.z = store[i][0], .slope = store[i][1], .k = store[i][2]};
+    gap_tabulate(y, z, slope, k, n, STEP, &c);
+    return c;
+}
+
+/* A wheel of transverse radius r over a rail arc whose top is at 0, both centred; they touch on the line of centres. */
+static void two_circles(const char *what, double rail_radius, int rail_sign, double r, double offset)
+{
+    struct gap_curve rail = arc(0, 1.23e-5, 0, rail_radius, rail_sign, 0.03);
+    struct gap_curve wheel = arc(1, 1.23e-5 + offset, 0, r, 1, 0.0303);
+    struct gap_minimum m[4];
+    char text[128];
+
+    for (int shift = -20; shift <= 20; shift += 20) {
+        double d = offset + shift * STEP;
+        /* The rail's centre lies R below its top (R < 0 in a groove), the wheel's r above its lowest point. */
+        double R = -rail_sign * rail_radius, reach = R + r, touch = reach - (reach > 0 ? 1 : -1) * sqrt(reach * reach - d * d);
+        int n = gap_minima(&rail, &wheel, shift, STEP, 4e-3, 0, m, 4);
+        snprintf(text, sizeof text, "%s, shifted %d nodes: one minimum", what, shift);
+        if (!ok(n == 1, "%s", text))
+            continue;
+        snprintf(text, sizeof text, "%s, shifted %d nodes: height", what, shift);
+        near(m[0].gap, touch, 1e-11, text);
+        snprintf(text, sizeof text, "%s, shifted %d nodes: place", what, shift);
+        near(m[0].y, 1.23e-5 + R * d / reach, 2e-8, text);
+        snprintf(text, sizeof text, "%s, shifted %d nodes: slope at the common tangent", what, shift);
+        near(m[0].slope, d / reach / sqrt(1 - d * d / (reach * reach)), 1e-7, text);
+        ok(fabs(m[0].rail_k * R - 1) < 1e-12 && fabs(m[0].wheel_k * r + 1) < 1e-12, "curvatures are handed through");
+    }
+}
+
+int main(void)
+{
+    struct gap_minimum m[12];
+
+    two_circles("circle on circle", 0.3, -1, 0.4, 0);
+    two_circles("circle on small circle", 0.08, -1, 0.1, 3.37e-3);
+    two_circles("circle in groove", 0.1, 1, 0.08, 0.411e-3);
+
+    struct gap_curve plane = arc(0, 0, 0, 1e9, -1, 0.03), wheel = arc(1, 0, 0, 0.1, 1, 0.02);
+    int n = gap_minima(&plane, &wheel, 37, STEP, 4e-3, 0, m, 4);
+    ok(n == 1 && fabs(m[0].y - 37 * STEP) < 1e-9 && fabs(m[0].gap) < 1e-12, "circle on plane: touches below its centre");
+
+    /* Rail z = h (1 - cos(2 pi y/L)): crests at multiples of L, the wheel nearly flat. */
+    for (int pass = 0; pass < 2; pass++) {
+        double L = pass ? 3e-3 : 6e-3, h = 1e-4;
+        for (int j = 0; j < 601; j++) {
+            double x = (j - 300) * 5e-5;
+            y[j] = x;
+            z[j] = h * (1 - cos(2 * M_PI * x / L));
+            slope[j] = h * 2 * M_PI / L * sin(2 * M_PI * x / L);
+            k[j] = 0;
+        }
+        struct gap_curve rail = {.z = store[0][0], .slope = store[0][1], .k = store[0][2]};
+        gap_tabulate(y, z, slope, k, 601, STEP, &rail);
+        wheel = arc(1, 0, 0, 30, 1, 0.02);
+        n = gap_minima(&rail, &wheel, 0, STEP, 4e-3, 0, m, 12);
+        if (pass)
+            ok(n < 11, "crests 3 mm apart are joined (%d of 11)", n);
+        else
+            ok(n == 5 && fabs(m[2].y) < 1e-9 && fabs(m[1].y + m[3].y) < 1e-9, "crests 6 mm apart: each a minimum");
+        if (!pass) {
+            n = gap_minima(&rail, &wheel, 0, STEP, 4e-3, 0, m, 2);
+            ok(n == 2 && (fabs(m[0].y) < 1e-9 || fabs(m[1].y) < 1e-9), "room for two: the lowest stay");
+        }
+    }
+
+    /* A rail that ends left of the wheel's lowest point. */
+    struct gap_curve rail = arc(0, -0.02, 0, 1e9, -1, 0.01);
+    wheel = arc(1, 0, 0, 0.1, 1, 0.03);
+    ok(gap_minima(&rail, &wheel, 0, STEP, 4e-3, GAP_LEFT_END, m, 4) == 0, "an end that does not count gives no contact");
+    n = gap_minima(&rail, &wheel, 0, STEP, 4e-3, GAP_RIGHT_END, m, 4);
+    ok(n == 1 && m[0].end, "an end that counts gives one");
+    near(m[0].y, -0.01, 1e-12, "at the end");
+    near(m[0].gap, 0.1 - sqrt(0.01 - 1e-4), 1e-12, "as high as the wheel is there");
+    near(m[0].slope, 0.01 / sqrt(0.01 - 1e-4), 1e-9, "with the wheel's slope");
+
+    ok(gap_minima(&rail, &wheel, 900, STEP, 4e-3, 3, m, 4) == 0, "a wheel beside the rail touches nothing");
+
+    /* A polyline that turns back, as a folded silhouette: the lowest piece is kept. */
+    double fy[4] = {0, 2e-3, 1e-3, 3e-3}, fz[4] = {0, -1e-3, 0, 1e-3}, fs[4] = {-0.5, -0.5, 0.5, 0.5}, fk[4] = {0};
+    gap_tabulate(fy, fz, fs, fk, 4, STEP, &rail);
+    ok(rail.n == 31 && fabs(rail.z[15] - 0.25e-3) < 1e-12 && fabs(rail.z[5] + 0.25e-3) < 1e-12, "a fold keeps its lowest branch");
+    return done();
+}

@@ -1,0 +1,289 @@
+/* vxcontact: where and how hard a wheel can touch its rails.
+ *
+ * In: .prof of one wheel and one rail, or .ctab.  Out: .ctab, ctab(5), or text: contacts of a wheel, of a wheelset at rest, rolling
+ * radius difference, equivalent conicity.  Rigid contacts of a surface of revolution (contact locus), Hertz patches; Klingel's
+ * motion after EN 15302.  x forward, y to the right, z down, SI units. */
+#include "tools/cli/cli.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "formats/ctab.h"
+#include "formats/prof.h"
+#include "tools/contact/conicity.h"
+#include "tools/contact/lookup.h"
+#include "tools/contact/table.h"
+#include "tools/contact/wheelset.h"
+
+#define RADIUS_STEP 5e-5         /* m, of y for --rolling-radius */
+#define KLINGEL_STEP 1e-5        /* m, of y for --conicity, which a leap of contact moves by as much */
+#define TAPE_LINE 1.5            /* m, distance of the contact points, EN 15302 */
+enum { SWEEP_MOST = 4801 };
+
+static const char usage[] =
+    "vxcontact --wheel FILE --rail FILE --yaw none|exact [--u-max M] [--u-step M] [--yaw-max RAD] [--yaws N]"
+    " [--shear-modulus PA] [--poisson NU] [-o FILE]\n"
+    "vxcontact --query u=M[,yaw=RAD][,s=M][,roll=RAD] TABLE\n"
+    "vxcontact --wheelset y=M[,yaw=RAD][,s=M][,load=N] [--no-roll] LEFT RIGHT\n"
+    "vxcontact --conicity M [--no-roll] LEFT RIGHT\n"
+    "vxcontact --rolling-radius [--no-roll] LEFT RIGHT";
+
+static const char *const yaw_methods[] = {"none", "exact", NULL};
+
+static struct {
+    const char *wheel, *rail, *query, *wheelset, *out;
+    int yaw, rolling_radius, no_roll;
+    double conicity;                 /* m; 0 is not asked for */
+    struct table_grid grid;
+} opt = {
+    .yaw = -1,
+    .grid = {.u_max = 0.012, .u_step = 1e-4, .yaw_max = 0.02, .yaws = 21, .shear_modulus = 82e9, .poisson = 0.28},
+};
+
+static const struct cli_option options[] = {
+    {.name = "wheel", .type = CLI_TEXT, .value = &opt.wheel},
+    {.name = "rail", .type = CLI_TEXT, .value = &opt.rail},
+    {.name = "yaw", .type = CLI_CHOICE, .value = &opt.yaw, .choice = yaw_methods},
+    {.name = "u-max", .type = CLI_NUM, .value = &opt.grid.u_max, .lo = 1e-3, .hi = 0.05},
+    {.name = "u-step", .type = CLI_NUM, .value = &opt.grid.u_step, .lo = 1e-5, .hi = 1e-3},
+    {.name = "yaw-max", .type = CLI_NUM, .value = &opt.grid.yaw_max, .lo = 1e-4, .hi = 0.1},
+    {.name = "yaws", .type = CLI_INT, .value = &opt.grid.yaws, .lo = 2, .hi = 401},
+    {.name = "shear-modulus", .type = CLI_NUM, .value = &opt.grid.shear_modulus, .lo = 1e6, .hi = 1e13},
+    {.name = "poisson", .type = CLI_NUM, .value = &opt.grid.poisson, .lo = 0, .hi = 0.5},
+    {.name = "query", .type = CLI_TEXT, .value = &opt.query},
+    {.name = "wheelset", .type = CLI_TEXT, .value = &opt.wheelset},
+    {.name = "conicity", .type = CLI_NUM, .value = &opt.conicity, .lo = 1e-6, .hi = 0.05},
+    {.name = "rolling-radius", .type = CLI_FLAG, .value = &opt.rolling_radius},
+    {.name = "no-roll", .type = CLI_FLAG, .value = &opt.no_roll},
+    {.name = "o", .type = CLI_TEXT, .value = &opt.out},
+    {0},
+};
+
+static const struct cli_program program = {
+    .name = "vxcontact",
+    .purpose = "Compute the contacts of wheel and rail.",
+    .usage = usage,
+    .option = options,
+};
+
+/* Columns of contacts printed, in this order. */
+static const enum ctab_column printed[] = {
+    CTAB_HEIGHT, CTAB_RAIL_Y, CTAB_RAIL_Z, CTAB_X, CTAB_WHEEL_Y, CTAB_ANGLE, CTAB_RADIUS, CTAB_RAIL_K, CTAB_WHEEL_K,
+    CTAB_HERTZ_C, CTAB_HERTZ_A, CTAB_HERTZ_B, CTAB_BODY,
+};
+enum { PRINTED = sizeof printed / sizeof *printed };
+
+struct item { const char *key; double *value; double lo, hi; int needed; };
+
+/* "key=number,key=number" of an option into its items. */
+static void parse_items(const char *option, const char *text, const struct item *item, int n)
+{
+    unsigned seen = 0;
+
+    for (const char *p = text; ; p++) {
+        size_t length = strcspn(p, "=,");
+        int i = 0;
+        char *end;
+        while (i < n && !(strlen(item[i].key) == length && strncmp(item[i].key, p, length) == 0))
+            i++;
+        if (i == n || p[length] != '=')
+            cli_misuse("--%s: \"%s\" must be KEY=NUMBER,...; see -h for the keys", option, p);
+        if (seen >> i & 1)
+            cli_misuse("--%s: %s is given twice", option, item[i].key);
+        const char *number = p + length + 1;
+        double value = strtod(number, &end);
+        if (end == number || strspn(number, "+-.0123456789eE") < (size_t)(end - number) || (*end && *end != ','))
+            cli_misuse("--%s: %s=%s is not a number", option, item[i].key, number);
+        if (!(value >= item[i].lo && value <= item[i].hi))
+            cli_misuse("--%s: %s is %g, must be %g to %g", option, item[i].key, value, item[i].lo, item[i].hi);
+        *item[i].value = value;
+        seen |= 1u << i;
+        p = end;
+        if (!*p)
+            break;
+    }
+    for (int i = 0; i < n; i++)
+        if (item[i].needed && !(seen >> i & 1))
+            cli_misuse("--%s needs %s=", option, item[i].key);
+}
+
+/* Exactly one of the five forms of the usage. */
+static char **parse(int argc, char **argv)
+{
+    int n, build, forms;
+    char **operand = cli_begin(&program, argc, argv, 0, 2, &n);
+
+    build = opt.wheel || opt.rail || opt.yaw >= 0;
+    forms = build + !!opt.query + !!opt.wheelset + (opt.conicity > 0) + opt.rolling_radius;
+    if (forms != 1)
+        cli_misuse("give either --wheel, --rail and --yaw, or one of --query, --wheelset, --conicity, --rolling-radius");
+    if (build && !(opt.wheel && opt.rail && opt.yaw >= 0))
+        cli_misuse("--wheel, --rail and --yaw must all be given");
+    if (!build && opt.out)
+        cli_misuse("-o is for a new table");
+    if (opt.no_roll && (build || opt.query))
+        cli_misuse("--no-roll is for a wheelset");
+    if (n != (build ? 0 : opt.query ? 1 : 2))
+        cli_misuse("%d operands, must be %s", n, build ? "none" : opt.query ? "one table" : "a left and a right table");
+    return operand;
+}
+
+static void open_table(struct vxf *f, struct ctab *t, const char *path, char side)
+{
+    cli_open(f, path, "ctab");
+    cli_check(path, ctab_read(t, f));
+    if (side && t->side != side)
+        cli_die("%s: is of side %c, must be %c", path, t->side, side);
+}
+
+static void build_table(void)
+{
+    struct vxf wheel_file, rail_file;
+    struct prof wheel, rail;
+    struct ctab t;
+    struct vxf_out o;
+
+    cli_open(&wheel_file, opt.wheel, "prof");
+    cli_check(opt.wheel, prof_read(&wheel, &wheel_file));
+    cli_open(&rail_file, opt.rail, "prof");
+    cli_check(opt.rail, prof_read(&rail, &rail_file));
+    cli_check(opt.rail, table_fill(&t, &wheel, &rail, opt.yaw ? TABLE_EXACT : TABLE_NONE, &opt.grid));
+    vxf_out_begin(&o, "ctab");
+    vxf_put_input(&o, &wheel_file);
+    vxf_put_input(&o, &rail_file);
+    vxf_put_key(&o, "REVISION", "%d", TABLE_REVISION);
+    cli_check("contact table", ctab_put(&t, &o));
+    cli_write(&o, opt.out);
+    vxf_out_free(&o);
+    ctab_free(&t);
+    prof_free(&wheel);
+    prof_free(&rail);
+    vxf_close(&wheel_file);
+    vxf_close(&rail_file);
+}
+
+static void print_contact_header(void)
+{
+    printf(" %12s", "weight[1]");
+    for (int i = 0; i < PRINTED; i++) {
+        char text[48];
+        snprintf(text, sizeof text, "%s[%s]", ctab_columns[printed[i]].name, ctab_columns[printed[i]].unit);
+        printf(" %20s", text);
+    }
+    printf(" %16s\n", "gap[m]");
+}
+
+static void print_contact(const struct contact *c, double first)
+{
+    printf(" %12.6g", c->weight);
+    for (int i = 0; i < PRINTED; i++)
+        printf(" %20.10g", c->row[printed[i]]);
+    printf(" %16.6g\n", c->height - first);
+}
+
+/* The lookup would hold it at the end. */
+static void check_yaw(const struct ctab *t, const char *path, double yaw)
+{
+    if (!(yaw >= t->yaw[0] && yaw <= t->yaw[t->yaws - 1]))
+        cli_die("%s: yaw %g rad is beyond the table, %g to %g", path, yaw, t->yaw[0], t->yaw[t->yaws - 1]);
+}
+
+static void print_query(const char *path)
+{
+    double u = 0, yaw = 0, s = 0, roll = 0;
+    const struct item item[] = {{"u", &u, -1, 1, 1}, {"yaw", &yaw, -0.1, 0.1, 0}, {"s", &s, -1e5, 1e5, 0}, {"roll", &roll, -0.1, 0.1, 0}};
+    struct vxf f;
+    struct ctab t;
+    struct contact c[CONTACT_MAX];
+
+    parse_items("query", opt.query, item, 4);
+    open_table(&f, &t, path, 0);
+    check_yaw(&t, path, yaw);
+    int n = contact_lookup(&t, s, yaw, u, roll, c);
+    if (n < 0)
+        cli_die("%s: u = %g m is beyond the table, %g to %g", path, u, t.u[0], t.u[t.us - 1]);
+    print_contact_header();
+    for (int i = 0; i < n; i++)
+        print_contact(&c[i], c[0].height);
+    vxf_close(&f);
+}
+
+static void print_wheelset(const struct ctab *left, const struct ctab *right, double s, double yaw, double y, double load)
+{
+    struct wheelset w;
+
+    cli_check("wheelset", wheelset_rest(left, right, s, yaw, y, load, !opt.no_roll, &w));
+    printf(" %18s %18s %22s\n %18.10g %18.10g %22.10g\n", "z[m]", "roll[rad]", "radius_difference[m]", w.z, w.roll, w.radius_difference);
+    printf("%4s %18s %14s", "side", "u[m]", "force[N]");
+    print_contact_header();
+    for (int side = WHEELSET_LEFT; side <= WHEELSET_RIGHT; side++)
+        for (int i = 0; i < w.side[side].n; i++) {
+            printf("%4c %18.10g %14.8g", "lr"[side], w.side[side].u, w.side[side].force[i]);
+            print_contact(&w.side[side].contact[i], w.side[side].contact[0].height);
+        }
+}
+
+static void print_sweep(const struct wheelset_point *p, int64_t n)
+{
+    printf("%9s %14s %22s %14s %16s %16s %16s %16s\n", "y[m]", "z[m]", "radius_difference[m]", "roll[rad]", "rail_y_left[m]",
+           "rail_y_right[m]", "wheel_y_left[m]", "wheel_y_right[m]");
+    for (int64_t i = 0; i < n; i++)
+        printf("%9.6f %14.9f %22.9f %14.9f %16.9f %16.9f %16.9f %16.9f\n", p[i].y, p[i].z, p[i].radius_difference, p[i].roll,
+               p[i].rail_y[0], p[i].rail_y[1], p[i].wheel_y[0], p[i].wheel_y[1]);
+}
+
+static void print_conicity(const struct wheelset_point *p, int64_t n, double r0)
+{
+    static double y[SWEEP_MOST], dr[SWEEP_MOST];
+    double conicity, wavelength;
+
+    for (int64_t i = 0; i < n; i++) {
+        y[i] = p[i].y;
+        dr[i] = p[i].radius_difference;
+    }
+    cli_check("conicity", conicity_klingel(y, dr, n, opt.conicity, TAPE_LINE, r0, &conicity, &wavelength));
+    printf("%12s %12s %14s\n%12.6g %12.6f %14.6g\n", "amplitude[m]", "conicity[1]", "wavelength[m]", opt.conicity, conicity, wavelength);
+}
+
+static void print_pair(char **path)
+{
+    double y = 0, yaw = 0, s = 0, load = 0;
+    const struct item item[] = {{"y", &y, -1, 1, 1}, {"yaw", &yaw, -0.1, 0.1, 0}, {"s", &s, -1e5, 1e5, 0}, {"load", &load, 0, 1e7, 0}};
+    static struct wheelset_point p[SWEEP_MOST];
+    struct vxf f[2];
+    struct ctab t[2];
+    int64_t n = 0;
+
+    if (opt.wheelset)
+        parse_items("wheelset", opt.wheelset, item, 4);
+    open_table(&f[0], &t[0], path[0], 'l');
+    open_table(&f[1], &t[1], path[1], 'r');
+    if (t[0].radius != t[1].radius)
+        cli_die("%s: rolling radius is %g m, that of %s is %g", path[1], t[1].radius, path[0], t[0].radius);
+    check_yaw(&t[0], path[0], yaw);
+    check_yaw(&t[1], path[1], yaw);
+    if (opt.wheelset) {
+        print_wheelset(&t[0], &t[1], s, yaw, y, load);
+    } else {
+        cli_check("wheelset", wheelset_sweep(&t[0], &t[1], s, yaw, opt.rolling_radius ? RADIUS_STEP : KLINGEL_STEP, !opt.no_roll, p, SWEEP_MOST, &n));
+        if (opt.rolling_radius)
+            print_sweep(p, n);
+        else
+            print_conicity(p, n, t[0].radius);
+    }
+    vxf_close(&f[0]);
+    vxf_close(&f[1]);
+}
+
+int main(int argc, char **argv)
+{
+    char **operand = parse(argc, argv);
+
+    if (opt.query)
+        print_query(operand[0]);
+    else if (opt.wheelset || opt.rolling_radius || opt.conicity > 0)
+        print_pair(operand);
+    else
+        build_table();
+    return cli_end();
+}
