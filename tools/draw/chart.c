@@ -1,0 +1,165 @@
+/* Filling a chart: lists that grow at their end, all memory in one list of blocks; and drawing it, part by part. */
+#include "tools/draw/chart.h"
+
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "tools/draw/axes.h"
+#include "tools/draw/curves.h"
+#include "tools/draw/layout.h"
+#include "tools/draw/notes.h"
+
+struct chart_store {
+    struct chart_store *next;
+    max_align_t data[];
+};
+
+unsigned chart_colour(int k)
+{
+    static const unsigned colour[CHART_COLOURS] = {CHART_BLUE,   CHART_RED, CHART_GREEN, CHART_BLACK,
+                                                   CHART_PURPLE, CHART_SKY, CHART_ORANGE};
+
+    return colour[k % CHART_COLOURS];
+}
+
+double chart_factor(const struct chart_axis *a)
+{
+    return a->factor == 0 ? 1 : a->factor;
+}
+
+void chart_begin(struct chart *c)
+{
+    *c = (struct chart){0};
+    c->line_end = &c->line;
+}
+
+void chart_free(struct chart *c)
+{
+    while (c->store) {
+        struct chart_store *next = c->store->next;
+        free(c->store);
+        c->store = next;
+    }
+    *c = (struct chart){0};
+}
+
+/* Zeroed memory of the chart. */
+static void *room(struct chart *c, size_t size)
+{
+    struct chart_store *s = size < SIZE_MAX - sizeof *s ? calloc(1, sizeof *s + size) : NULL;
+
+    if (!s) {
+        c->why = REASON_MEMORY;
+        return NULL;
+    }
+    s->next = c->store;
+    c->store = s;
+    return s->data;
+}
+
+double *chart_numbers(struct chart *c, int64_t n)
+{
+    if (n < 0 || (uint64_t)n > SIZE_MAX / sizeof(double)) {
+        c->why = REASON_MEMORY;
+        return NULL;
+    }
+    return room(c, (size_t)n * sizeof(double));
+}
+
+const char *chart_words(struct chart *c, const char *format, ...)
+{
+    va_list ap;
+
+    va_start(ap, format);
+    int n = vsnprintf(NULL, 0, format, ap);
+    va_end(ap);
+    char *words = n < 0 ? NULL : room(c, (size_t)n + 1);
+    if (!words)
+        return "";
+    va_start(ap, format);
+    vsnprintf(words, (size_t)n + 1, format, ap);
+    va_end(ap);
+    return words;
+}
+
+static void panel_begin(struct chart_panel *p, const char *label, double factor)
+{
+    *p = (struct chart_panel){.y = {.label = label, .factor = factor}, .share = 1};
+    p->series_end = &p->series;
+    p->note_end = &p->note;
+}
+
+struct chart_panel *chart_add_panel(struct chart *c, const char *label, double factor)
+{
+    struct chart_panel *p = &c->spare_panel;
+
+    if (c->panels < CHART_PANELS)
+        p = &c->panel[c->panels++];
+    else
+        c->why = "too many panels for one chart";
+    panel_begin(p, label, factor);
+    return p;
+}
+
+struct chart_series *chart_add_series(struct chart *c, struct chart_panel *p, const char *label, int64_t n, const double *x,
+                                      const double *y)
+{
+    struct chart_series *s = room(c, sizeof *s);
+
+    if (!s)
+        return &c->spare_series;
+    *s = (struct chart_series){.label = label, .n = n, .x = x, .y = y, .width = 1.2, .size = 5};
+    s->colour = chart_colour(p->colours++);
+    *p->series_end = s;
+    p->series_end = &s->next;
+    return s;
+}
+
+struct chart_note *chart_add_note(struct chart *c, struct chart_panel *p, double x, double y, const char *words)
+{
+    struct chart_note *note = room(c, sizeof *note);
+
+    if (!note)
+        return &c->spare_note;
+    *note = (struct chart_note){.words = words, .x = x, .y = y};
+    *p->note_end = note;
+    p->note_end = &note->next;
+    return note;
+}
+
+void chart_add_line(struct chart *c, double x, const char *label)
+{
+    struct chart_line *line = room(c, sizeof *line);
+
+    if (!line)
+        return;
+    *line = (struct chart_line){.x = x, .label = label};
+    *c->line_end = line;
+    c->line_end = &line->next;
+}
+
+const char *chart_draw(const struct chart *c, struct canvas *canvas)
+{
+    struct text text = {0};
+    struct layout l;
+    const char *why = c->why;
+
+    if (!why && c->panels == 0)
+        why = "a chart without a panel";
+    if (!why)
+        why = text_open(&text);
+    if (!why) {
+        layout_make(&l, c, &text, canvas->width, canvas->height);
+        axes_draw(&l, c, canvas, &text);
+        why = curves_draw(&l, c, canvas);
+        axes_legend(&l, canvas, &text);
+        notes_draw(&l, c, &text);
+        canvas_end(canvas);
+        const char *lost = text_paint(&text, canvas);
+        why = why ? why : lost;
+    }
+    text_free(&text);
+    return why;
+}

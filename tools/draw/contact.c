@@ -1,0 +1,203 @@
+#include "tools/draw/contact.h"
+
+#include <math.h>
+
+#include "tools/draw/sections.h"
+
+static const double head = 0.040;          /* m, half width of what is shown of a rail: a head is 72 mm wide */
+static const double normal = 0.008;        /* m, drawn length of a normal to either side */
+static const double apart = 0.035;         /* m, wheel above rail in the picture of pairs */
+static const double words = 0.007, clear = 0.002;   /* m, between the names of pairs, above the wheel */
+static const double touching = 1e-6;       /* m, gap of a contact called touching */
+
+int64_t contact_nearest(int64_t n, const double *x, double v)
+{
+    int64_t best = 0;
+
+    for (int64_t i = 1; i < n; i++)
+        if (fabs(x[i] - v) < fabs(x[best] - v))
+            best = i;
+    return best;
+}
+
+/* The rows of the node (station, yaw, u), [count][CTAB_N]. */
+static const double *node(const struct ctab *t, int64_t station, int64_t yaw, int64_t u, int *count)
+{
+    int64_t k = (station * t->yaws + yaw) * t->us + u;
+
+    *count = t->count[k];
+    return t->contact + k * t->slots * CTAB_N;
+}
+
+static const char *fits(const struct prof *wheel, const struct prof *rail, const struct ctab *t)
+{
+    if (wheel->part != 'w')
+        return "the first profile is not a wheel";
+    if (rail->part != 'r')
+        return "the second profile is not a rail";
+    if (wheel->side != t->side || rail->side != t->side)
+        return reason("sides differ: wheel %c, rail %c, table %c", wheel->side, rail->side, t->side);
+    return NULL;
+}
+
+static void rail_bodies(struct chart *c, struct chart_panel *panel, const struct prof *rail, double station)
+{
+    int64_t section = contact_nearest(rail->sections, rail->station, station);
+
+    for (int64_t k = 0; k < rail->polys; k++)
+        if (rail->poly_section[k] == section)
+            sections_polyline(c, panel, rail, k, 0, 0, rail->body[rail->poly_body[k]]);
+}
+
+/* The wheel with its running circle's lowest point at (y, z). */
+static void wheel_outline(struct chart *c, struct chart_panel *panel, const struct prof *wheel, double y, double z)
+{
+    int64_t n = wheel->poly_first[1];
+    double *px = chart_numbers(c, n), *py = chart_numbers(c, n);
+
+    if (!px || !py)
+        return;
+    for (int64_t i = 0; i < n; i++) {
+        px[i] = wheel->y[i] + y;
+        py[i] = wheel->z[i] + z;
+    }
+    struct chart_series *s = chart_add_series(c, panel, "wheel", n, px, py);
+    s->colour = CHART_BLACK;
+    s->width = 1.6;
+}
+
+/* The point of contact k, its normal and its name. */
+static void contact_point(struct chart *c, struct chart_panel *panel, const double *row, int k, double gap)
+{
+    double *x = chart_numbers(c, 2), *y = chart_numbers(c, 2);
+    double angle = row[CTAB_ANGLE];
+
+    if (!x || !y)
+        return;
+    for (int end = 0; end < 2; end++) {
+        x[end] = row[CTAB_RAIL_Y] + (end ? 1 : -1) * normal * sin(angle);
+        y[end] = row[CTAB_RAIL_Z] - (end ? 1 : -1) * normal * cos(angle);
+    }
+    const char *open = gap < touching ? "" : chart_words(c, ", gap %.2f mm", gap * 1e3);
+    const char *label = chart_words(c, "%d: y %.1f mm, angle %.2f°, r %.2f mm%s", k + 1, row[CTAB_RAIL_Y] * 1e3,
+                                    angle * 180 / M_PI, row[CTAB_RADIUS] * 1e3, open);
+    chart_add_series(c, panel, NULL, 2, x, y)->colour = CHART_PURPLE;
+    double *point = chart_numbers(c, 2);
+    if (!point)
+        return;
+    point[0] = row[CTAB_RAIL_Y];
+    point[1] = row[CTAB_RAIL_Z];
+    struct chart_series *s = chart_add_series(c, panel, label, 1, point, point + 1);
+    s->colour = CHART_PURPLE;
+    s->width = 0;
+    s->mark = gap < touching ? CANVAS_DISC : CANVAS_RING;
+    s->size = 7;
+    chart_add_note(c, panel, x[1], y[1], chart_words(c, "%d", k + 1))->colour = CHART_PURPLE;
+}
+
+static struct chart_panel *begin(struct chart *c)
+{
+    c->equal = 1;
+    c->x = (struct chart_axis){.label = "lateral position on the rail y (mm)", .factor = 1e3, .lo = -head, .hi = head};
+    struct chart_panel *panel = chart_add_panel(c, "z down (mm)", 1e3);
+    panel->y.down = 1;
+    return panel;
+}
+
+const char *contact_chart(struct chart *c, const struct prof *wheel, const struct prof *rail, const struct ctab *t,
+                          const struct contact_place *at)
+{
+    const char *why = fits(wheel, rail, t);
+    int count;
+
+    if (why)
+        return why;
+    int64_t i = contact_nearest(t->stations, t->station, at->station), j = contact_nearest(t->yaws, t->yaw, at->yaw);
+    int64_t k = contact_nearest(t->us, t->u, at->u);
+    const double *row = node(t, i, j, k, &count);
+    if (count == 0)
+        return reason("no contact at station %g m, yaw %g rad, u %g m", t->station[i], t->yaw[j], t->u[k]);
+    struct chart_panel *panel = begin(c);
+    rail_bodies(c, panel, rail, t->station[i]);
+    wheel_outline(c, panel, wheel, t->u[k] + wheel->position - rail->position, row[CTAB_HEIGHT]);
+    for (int s = 0; s < count; s++) {
+        const double *contact = row + s * CTAB_N;
+        contact_point(c, panel, contact, s, contact[CTAB_HEIGHT] - row[CTAB_HEIGHT]);
+        c->x.lo = fmin(c->x.lo, contact[CTAB_RAIL_Y] - normal);
+        c->x.hi = fmax(c->x.hi, contact[CTAB_RAIL_Y] + normal);
+    }
+    panel->y.lo = -0.012;
+    panel->y.hi = 0.030;
+    c->title = chart_words(c, "u %.2f mm, yaw %.2f mrad%s", t->u[k] * 1e3, t->yaw[j] * 1e3,
+                           t->stations > 1 ? chart_words(c, ", station %.3f m", t->station[i]) : "");
+    return c->why;
+}
+
+/* z of the wheel's outline at its y, straight between its points. */
+static double wheel_z(const struct prof *wheel, double y)
+{
+    int64_t n = wheel->poly_first[1], i = 1;
+
+    while (i < n - 1 && wheel->y[i] < y)
+        i++;
+    double part = (y - wheel->y[i - 1]) / (wheel->y[i] - wheel->y[i - 1]);
+    return wheel->z[i - 1] + part * (wheel->z[i] - wheel->z[i - 1]);
+}
+
+/* Lines x, y [3 us] from wheel to rail for the contact that touches at every `every`-th u, NaN between them; u is named at
+ * the wheel where there is room.  The number of points. */
+static int64_t join_pairs(struct chart *c, struct chart_panel *panel, const struct prof *wheel, const struct ctab *t, int64_t i,
+                          int64_t j, int64_t every, double shift, double *x, double *y)
+{
+    int64_t n = 0;
+    double named = -INFINITY;
+
+    for (int64_t k = (t->us - 1) / 2 % every; k < t->us; k += every) {
+        int count;
+        const double *row = node(t, i, j, k, &count);
+        if (count == 0)
+            continue;
+        x[n] = row[CTAB_RAIL_Y];
+        y[n] = row[CTAB_RAIL_Z];
+        x[n + 1] = row[CTAB_WHEEL_Y] + shift;
+        y[n + 1] = wheel_z(wheel, row[CTAB_WHEEL_Y]) - apart;
+        x[n + 2] = y[n + 2] = NAN;
+        if (fabs(x[n + 1] - named) > words) {
+            named = x[n + 1];
+            struct chart_note *note = chart_add_note(c, panel, x[n + 1], y[n + 1] - clear,
+                                                     chart_words(c, "%.1f", t->u[k] * 1e3));
+            note->fixed = 1;
+            note->across = 0.5;
+        }
+        n += 3;
+    }
+    return n;
+}
+
+const char *contact_pairs_chart(struct chart *c, const struct prof *wheel, const struct prof *rail, const struct ctab *t,
+                                const struct contact_place *at, int pairs)
+{
+    const char *why = fits(wheel, rail, t);
+
+    if (why)
+        return why;
+    int64_t i = contact_nearest(t->stations, t->station, at->station), j = contact_nearest(t->yaws, t->yaw, at->yaw);
+    int64_t every = t->us > pairs ? t->us / pairs : 1;
+    double shift = wheel->position - rail->position;
+    double *x = chart_numbers(c, 3 * t->us), *y = chart_numbers(c, 3 * t->us);
+    if (!x || !y)
+        return c->why;
+    struct chart_panel *panel = begin(c);
+    rail_bodies(c, panel, rail, t->station[i]);
+    wheel_outline(c, panel, wheel, shift, -apart);
+    int64_t n = join_pairs(c, panel, wheel, t, i, j, every, shift, x, y);
+    struct chart_series *s = chart_add_series(
+        c, panel, chart_words(c, "contact pairs, u every %.2f mm, named at the wheel", t->us > 1 ? (double)every * (t->u[1] - t->u[0]) * 1e3 : 0), n, x, y);
+    s->colour = CHART_PURPLE;
+    s->width = 0.7;
+    panel->y.lo = -apart - 0.012;
+    panel->y.hi = 0.016;
+    c->title = chart_words(c, "Contact pairs, yaw %.2f mrad%s", t->yaw[j] * 1e3,
+                           t->stations > 1 ? chart_words(c, ", station %.3f m", t->station[i]) : "");
+    return c->why;
+}

@@ -1,0 +1,17 @@
+/* Figure of receptances: magnitude, both axes logarithmic, with its peaks named, and phase below. */
+#ifndef VX_DRAW_RECEPTANCE_H
+#define VX_DRAW_RECEPTANCE_H
+
+#include "formats/frf.h"
+#include "tools/draw/chart.h"
+
+void receptance_begin(struct chart *c);
+
+/* Adds the curve of r, which must live until the chart is drawn; label NULL tells what was excited and where.  Where r holds
+ * the values by Hermite interpolation, they are added in grey. */
+const char *receptance_add(struct chart *c, const struct frf *r, const char *label);
+
+/* Peaks of a [n]: maxima that fall by `ratio` on both sides before a higher one.  Indices in peak [most]; their number. */
+int receptance_peaks(int64_t n, const double *a, double ratio, int most, int64_t *peak);
+
+#endif

@@ -1,0 +1,150 @@
+#include "tools/draw/sections.h"
+
+#include <math.h>
+
+static const double space = 0.012;     /* m, between the cells */
+static const double words = 0.018;     /* m, above a section, for its station */
+
+/* colour over white. */
+static unsigned tint(unsigned colour)
+{
+    unsigned pale = 0;
+
+    for (int shift = 0; shift <= 16; shift += 8)
+        pale |= (255 - (255 - (colour >> shift & 255)) / 5) << shift;
+    return pale;
+}
+
+void sections_polyline(struct chart *c, struct chart_panel *panel, const struct prof *p, int64_t k, double y, double z,
+                       const char *label)
+{
+    int64_t first = p->poly_first[k], n = p->poly_first[k + 1] - first;
+    double *px = chart_numbers(c, n + 2), *py = chart_numbers(c, n + 2), deepest = -INFINITY, highest = INFINITY;
+    unsigned colour = chart_colour((int)p->poly_body[k]);
+
+    if (!px || !py)
+        return;
+    for (int64_t i = 0; i < n; i++) {
+        px[i] = p->y[first + i] + y;
+        py[i] = p->z[first + i] + z;
+        deepest = fmax(deepest, py[i]);
+        highest = fmin(highest, py[i]);
+    }
+    /* the material of a rail lies below its outline, that of a wheel above */
+    px[n] = px[n - 1];
+    px[n + 1] = px[0];
+    py[n] = py[n + 1] = p->part == 'w' ? highest : deepest;
+    struct chart_series *body = chart_add_series(c, panel, NULL, n + 2, px, py);
+    body->filled = 1;
+    body->colour = tint(colour);
+    chart_add_series(c, panel, label, n, px, py)->colour = colour;
+}
+
+struct cell { double left, right, top, bottom; };   /* m, y and z of what is drawn in a cell */
+
+static int within(const struct prof *p, int64_t section, double from, double to)
+{
+    return p->sections == 1 || (p->station[section] >= from && p->station[section] <= to);
+}
+
+/* Numbers of the sections to draw, into pick [SECTIONS_MOST]. */
+static int choose(const struct prof *p, double from, double to, int64_t *pick)
+{
+    int64_t inside = 0, first = 0;
+
+    for (int64_t i = p->sections - 1; i >= 0; i--)
+        if (within(p, i, from, to)) {
+            inside++;
+            first = i;
+        }
+    int n = inside < SECTIONS_MOST ? (int)inside : SECTIONS_MOST;
+    for (int k = 0; k < n; k++)
+        pick[k] = first + (n == 1 ? 0 : (int64_t)llround((double)(inside - 1) * k / (n - 1)));
+    return n;
+}
+
+static struct cell extent(const struct prof *p, const int64_t *pick, int n)
+{
+    struct cell e = {INFINITY, -INFINITY, INFINITY, -INFINITY};
+
+    for (int64_t k = 0; k < p->polys; k++) {
+        int drawn = 0;
+        for (int i = 0; i < n; i++)
+            drawn |= pick[i] == p->poly_section[k];
+        for (int64_t j = p->poly_first[k]; j < p->poly_first[k + 1] && drawn; j++) {
+            e.left = fmin(e.left, p->y[j]);
+            e.right = fmax(e.right, p->y[j]);
+            e.top = fmin(e.top, p->z[j]);
+            e.bottom = fmax(e.bottom, p->z[j]);
+        }
+    }
+    return e;
+}
+
+/* The number of columns that draws n cells of w by h largest on a picture of this shape. */
+static int best_columns(int n, double w, double h, double shape)
+{
+    int best = 1;
+    double largest = 0;
+
+    for (int columns = 1; columns <= n; columns++) {
+        int rows = (n + columns - 1) / columns;
+        double size = fmin(shape / (columns * w), 1 / (rows * h));
+        if (size > largest * (1 + 1e-9)) {
+            largest = size;
+            best = columns;
+        }
+    }
+    return best;
+}
+
+static void scale_bar(struct chart *c, struct chart_panel *panel, double y, double z)
+{
+    double *bar = chart_numbers(c, 4);
+
+    if (!bar)
+        return;
+    bar[0] = y - 0.05;
+    bar[1] = y;
+    bar[2] = bar[3] = z;
+    struct chart_series *s = chart_add_series(c, panel, NULL, 2, bar, bar + 2);
+    s->colour = CHART_BLACK;
+    s->width = 2;
+    struct chart_note *note = chart_add_note(c, panel, y - 0.025, z - 0.004, "50 mm");
+    note->fixed = 1;
+    note->across = 0.5;
+}
+
+const char *sections_chart(struct chart *c, const struct prof *p, double from, double to, double shape)
+{
+    int64_t pick[SECTIONS_MOST];
+    int n = choose(p, from, to, pick);
+
+    if (n == 0)
+        return reason("no section between %g and %g m", from, to);
+    struct cell e = extent(p, pick, n);
+    double w = e.right - e.left + space, h = e.bottom - e.top + words + space;
+    int columns = best_columns(n, w, h, shape), rows = (n + columns - 1) / columns;
+    uint64_t named = 0;
+    c->equal = c->bare = 1;
+    struct chart_panel *panel = chart_add_panel(c, NULL, 1);
+    panel->y.down = 1;
+    for (int k = 0; k < n; k++) {
+        double y = k % columns * w - e.left, z = k / columns * h - e.top + words;
+        for (int64_t j = 0; j < p->polys; j++) {
+            if (p->poly_section[j] != pick[k])
+                continue;
+            uint64_t bit = (uint64_t)1 << p->poly_body[j] % 64;
+            sections_polyline(c, panel, p, j, y, z, named & bit ? NULL : p->body[p->poly_body[j]]);
+            named |= bit;
+        }
+        if (p->sections > 1) {
+            struct chart_note *note = chart_add_note(c, panel, y + (e.left + e.right) / 2, z + e.top - 0.004,
+                                                     chart_words(c, "%.2f m", p->station[pick[k]]));
+            note->fixed = 1;
+            note->across = 0.5;
+        }
+    }
+    scale_bar(c, panel, columns * w - space, rows * h);
+    return c->why;
+}
