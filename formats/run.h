@@ -20,7 +20,7 @@ enum run_channel {
     RUN_TIME, RUN_STATION,
     RUN_Q, RUN_Y, RUN_T, RUN_MX, RUN_RAIL_Z,
     RUN_N, RUN_CONTACT_Y, RUN_CONTACT_WHEEL_Y, RUN_CONTACT_X, RUN_ANGLE, RUN_XI, RUN_ETA, RUN_PHI, RUN_TX, RUN_TY, RUN_BODY,
-    RUN_BODY_Q, RUN_BODY_V, RUN_BODY_A,
+    RUN_BODY_Q, RUN_BODY_V, RUN_BODY_A, RUN_BODY_OFFSET, RUN_BODY_HEADING,
     RUN_PAD, RUN_BALLAST_F,
     RUN_SLEEPER_Z, RUN_SLEEPER_ROLL, RUN_SLEEPER_A,
     RUN_NODE_Z, RUN_NODE_A, RUN_NODE_M,
@@ -36,8 +36,8 @@ struct run_channel_info {
 extern const struct run_channel_info run_channels[RUN_CHANNELS];
 
 /* Tail arrays: extremes over every step of the run. */
-enum run_extreme { RUN_MAX_Q, RUN_MIN_Q, RUN_MAX_Y, RUN_AT_MAX_Q, RUN_MAX_PAD, RUN_MAX_PAD_COMPRESSION, RUN_MAX_BALLAST,
-                   RUN_MAX_SLEEPER_A, RUN_MAX_NODE_M, RUN_EXTREMES };
+enum run_extreme { RUN_MAX_Q, RUN_MIN_Q, RUN_MAX_Y, RUN_AT_MAX_Q, RUN_SLEEPER_MAX_Q, RUN_SLEEPER_MAX_Y, RUN_MAX_PAD,
+                   RUN_MAX_PAD_COMPRESSION, RUN_MAX_BALLAST, RUN_MAX_SLEEPER_A, RUN_MAX_NODE_M, RUN_EXTREMES };
 extern const struct run_channel_info run_extremes[RUN_EXTREMES];
 
 struct run {

@@ -116,6 +116,22 @@ static void wheel_extremes(struct record *r, const struct passage *p)
     }
 }
 
+/* The same by where it happens: at the sleeper nearest to the wheel. */
+static void wheel_extremes_by_sleeper(struct record *r, const struct passage *p)
+{
+    const double *x = r->run.sleeper_x;
+    int64_t n = r->run.sleepers;
+
+    for (int64_t k = 0; k < 2 * r->run.wheelsets; k++) {
+        double s = p->station + r->wheelset_x[k / 2];
+        int64_t i = lumped_find(&p->rails, (int)(k % 2), s).node;
+        i += i + 1 < n && x[i + 1] - s < s - x[i];
+        double *Q = &r->extreme[RUN_SLEEPER_MAX_Q][k % 2 * n + i], *Y = &r->extreme[RUN_SLEEPER_MAX_Y][k % 2 * n + i];
+        *Q = fmax(*Q, p->wheel[k].Q);
+        *Y = fmax(*Y, fabs(p->wheel[k].Y));
+    }
+}
+
 static void track_extremes(struct record *r, const struct passage *p)
 {
     const struct lumped *l = &p->rails;
@@ -199,6 +215,8 @@ static void sample_bodies(const struct record *r, const struct passage *p)
             put(r, RUN_BODY_V, 6 * i + k, v[k]);
             put(r, RUN_BODY_A, 6 * i + k, p->train.a[6 * i + k]);
         }
+        put(r, RUN_BODY_OFFSET, i, p->train.line[i].offset);
+        put(r, RUN_BODY_HEADING, i, p->train.line[i].heading);
     }
 }
 
@@ -227,6 +245,7 @@ static void sample_track(struct record *r, const struct passage *p)
 int record_step(struct record *r, const struct passage *p)
 {
     wheel_extremes(r, p);
+    wheel_extremes_by_sleeper(r, p);
     track_extremes(r, p);
     if (p->n % r->every)
         return 0;
