@@ -28,6 +28,7 @@ struct cli_option {
     double lo, hi;               /* CLI_NUM, CLI_INT */
     double factor;               /* multiplies a CLI_NUM into SI; 0 is 1 */
     const char *const *choice;   /* CLI_CHOICE, NULL-terminated */
+    int letter;                  /* the name of one character is a long option all the same: --a */
 };
 
 struct cli_program {

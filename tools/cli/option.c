@@ -20,11 +20,16 @@ static int count_options(const struct cli_option *option)
     return n;
 }
 
+static int is_short(const struct cli_option *o)
+{
+    return !o->name[1] && !o->letter;
+}
+
 static const char *spelled(const struct cli_option *o)
 {
     static char text[64];
 
-    snprintf(text, sizeof text, "%s%s", o->name[1] ? "--" : "-", o->name);
+    snprintf(text, sizeof text, "%s%s", is_short(o) ? "-" : "--", o->name);
     return text;
 }
 
@@ -111,7 +116,7 @@ static void refuse_abbreviations(const struct cli_option *option, int argc, char
         if (strncmp(argv[i], "--", 2) != 0)
             continue;
         for (int k = 0; option[k].name && !known; k++) {
-            known = strlen(option[k].name) == n - 2 && strncmp(option[k].name, argv[i] + 2, n - 2) == 0;
+            known = !is_short(&option[k]) && strlen(option[k].name) == n - 2 && strncmp(option[k].name, argv[i] + 2, n - 2) == 0;
             takes = option[k].type != CLI_FLAG && !argv[i][n];
         }
         if (!known)
@@ -135,7 +140,7 @@ static void build(const struct cli_option *option, int n, char *letters, struct 
     *letters++ = 'h';
     for (int k = 0; k < n; k++) {
         int takes = option[k].type != CLI_FLAG;
-        if (option[k].name[1])
+        if (!is_short(&option[k]))
             longs[used++] = (struct option){option[k].name, takes ? required_argument : no_argument, NULL, FIRST_LONG + k};
         else {
             *letters++ = option[k].name[0];
@@ -171,7 +176,7 @@ char **cli_begin(const struct cli_program *p, int argc, char **argv, int least, 
         if (c == '?')
             cli_misuse("unknown option -%c (-h shows the usage)", optopt);
         for (int j = 0; c < FIRST_LONG && j < n; j++)
-            if (!p->option[j].name[1] && p->option[j].name[0] == c)
+            if (is_short(&p->option[j]) && p->option[j].name[0] == c)
                 k = j;
         take(&p->option[k], optarg);
     }
