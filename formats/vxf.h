@@ -77,6 +77,10 @@ const char *vxf_get_tail(const struct vxf *f, const char *name, enum vxf_type ty
 
 const struct vxf_array *vxf_find(const struct vxf_list *list, const char *name);
 
+/* The n arrays named, of whichever list, or all where n is 0.  A series has its records as first dim; the tail of a file that is not
+ * complete is left out.  The caller frees to->item; the data belong to f. */
+const char *vxf_select(struct vxf *f, int n, char *const *name, struct vxf_list *to);
+
 /* Hash of what the file holds: keys, names, types, shapes, units and data, not its history. */
 uint64_t vxf_content(const struct vxf *f);
 

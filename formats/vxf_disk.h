@@ -60,6 +60,9 @@ void vxf_dims_text(const struct vxf_array *a, char *text, size_t size);
 const char *vxf_check_preamble(const struct vxf *f, const struct vxf_preamble *p);
 const char *vxf_parse_header(struct vxf *f, const struct vxf_preamble *p);
 
+/* The records of series k from all blocks, one after another, in f->joined[k]. */
+const char *vxf_join(struct vxf *f, int k);
+
 /* Parts of writing: preamble, header and arrays; *size is their length, written into the preamble unless blocks follow. */
 const char *vxf_write_head(const struct vxf_out *o, FILE *stream, uint64_t *size);
 const char *vxf_write_all(FILE *stream, const void *data, size_t n);

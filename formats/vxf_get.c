@@ -110,8 +110,7 @@ const char *vxf_get_tail(const struct vxf *f, const char *name, enum vxf_type ty
     return why;
 }
 
-/* The records of series k from all blocks, one after another. */
-static const char *join(struct vxf *f, int k)
+const char *vxf_join(struct vxf *f, int k)
 {
     int overflow;
     size_t record = vxf_bytes(&f->series.item[k], &overflow);
@@ -145,7 +144,7 @@ const char *vxf_get_series(struct vxf *f, const char *name, enum vxf_type type, 
     if (why)
         return why;
     k = (int)(a - f->series.item);
-    if ((why = join(f, k)))
+    if ((why = vxf_join(f, k)))
         return why;
     *data = f->joined[k];
     return check_finite(a, *data, vxf_count(a) * f->records);

@@ -96,15 +96,21 @@ void cli_create_part(struct cli_out *out, const char *path)
     enrol(out);
 }
 
+/* A write that failed before leaves no trace but ferror. */
+static const char *write_error(void)
+{
+    return errno ? strerror(errno) : "write error";
+}
+
 void cli_close(struct cli_out *out)
 {
     if (out->file == stdout) {
-        if (fflush(stdout) != 0)
-            cli_die("standard output: %s", strerror(errno));
+        if (ferror(stdout) || fflush(stdout) != 0)
+            cli_die("standard output: %s", write_error());
         return;
     }
-    if (fflush(out->file) != 0 || (out->temporary && fsync(fileno(out->file)) != 0) || fclose(out->file) != 0)
-        cli_die("%s: %s", out->path, strerror(errno));
+    if (ferror(out->file) || fflush(out->file) != 0 || (out->temporary && fsync(fileno(out->file)) != 0) || fclose(out->file) != 0)
+        cli_die("%s: %s", out->path, write_error());
     if (out->temporary && rename(out->temporary, out->path) != 0)
         cli_die("%s: %s", out->path, strerror(errno));
     for (int i = 0; i < OUTPUTS; i++)
