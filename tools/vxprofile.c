@@ -107,7 +107,7 @@ static void sections_gather(const char *path, const struct prof_text *t, struct 
     static const char *const wheel[] = {"wheel"}, *const rail[] = {"rail"};
 
     if (t->part == PROF_TURNOUT) {
-        cli_check(path, turnout_sections(&t->turnout, t->gauge, t->spacing, t->smoothing, side ? 'l' : 'r', s, sections));
+        cli_check(path, turnout_sections(&t->turnout, t->gauge, t->smoothing, t->spacing, side ? 'l' : 'r', s, sections));
         return;
     }
     *sections = (struct set){.bodies = 1, .body = t->part == PROF_WHEEL ? wheel : rail};

@@ -47,8 +47,8 @@ static void test_inclined(void)
     ok(s.outline.z[0] > 0.016 && s.outline.slope[0] < 0, "1:40: the gauge face remains");
     section_free(&s);
     rail_make(&s, 0.06);
-    /* Cut at slope 60: 13 mm (1 - cos 1/60) = 1.8 um before the vertical. */
-    near(s.outline.y[0], s.gauge_face, 3e-6, "1:16.7: the face overhangs and is cut at its innermost point");
+    near(s.outline.y[0], (-23.016030e-3 + 0.06 * 14.949147e-3) / hypot(1, 0.06) - 0.013, 6e-6,
+         "1:16.7: the face overhangs and is cut at its innermost point, on the arc R 13");
     section_free(&s);
 }
 

@@ -1,10 +1,30 @@
+/* The rails of a turnout that one wheel of a route meets, section by section, in the frame of that route.
+ *
+ * Body 0, stock rail: the plain rail, which leaves the route outwards.  Body 1, switch rail: a blade along the running edge, then
+ * the closure rail, behind the throat the wing rail, which leaves outwards too.  Body 2, nose: along the running edge
+ * again, then the plain rail.  The other side has one plain rail.  Outlines of a right rail, origin at the top of the plain rail on
+ * the running edge; set_prof mirrors them where the side is the left one. */
 #ifndef VX_TURNOUT_H
 #define VX_TURNOUT_H
 
 #include "formats/prof_text.h"
-#include "tools/profile/section.h"
+#include "tools/profile/head.h"
+#include "tools/profile/plan.h"
 #include "tools/profile/set.h"
 
-const char *turnout_sections(const struct turnout_text *t, double gauge, double spacing, double smoothing, char side,
-                             struct section *rail, struct set *set);
+enum { TURNOUT_STOCK, TURNOUT_SWITCH, TURNOUT_NOSE, TURNOUT_BODIES };
+
+struct plan turnout_plan(const struct turnout_text *t, double gauge);
+
+/* The side ('l' or 'r') that carries switch rail and nose. */
+char turnout_switch_side(const struct turnout_text *t);
+
+/* The outline of a body at station s; n = 0 where it is not there or out of reach. */
+const char *turnout_body(const struct turnout_text *t, const struct plan *plan, const struct section *rail, double smoothing,
+                         double spacing, int body, double s, struct outline *o);
+
+/* All sections of one side. */
+const char *turnout_sections(const struct turnout_text *t, double gauge, double smoothing, double spacing, char side,
+                             const struct section *rail, struct set *set);
+
 #endif

@@ -1,0 +1,242 @@
+/* The nominal turnout 60E1-R760-1:15: its plan against closed forms and published offsets, its bodies against the plan, and the path
+ * of a rigid S1002 over both routes. */
+#include "tests/kernel/tap.h"
+
+#include "tools/profile/gauge.h"
+#include "tools/profile/turnout.h"
+#include "tools/profile/zones.h"
+
+static struct prof_text text;          /* of the turnout */
+static struct section rail, wheel;
+static struct plan plan;
+
+static void shape_make(const char *path, struct section *s, double spacing)
+{
+    struct prof_text t;
+    struct points p;
+
+    ok(!prof_text_read(&t, path, NULL, 0, NULL) && !zones_points(t.zones.n, t.zones.item, t.symmetric, 1e-4, &p) &&
+       !section_make(s, &p, &(struct section_options){t.part == PROF_WHEEL, 0, 0.014, 0.003, spacing}), "%s", path);
+    points_free(&p);
+    prof_text_free(&t);
+}
+
+/* Distances along and across the straight track as a drawing gives them: x of the diverging running edge, y of it. */
+static double edge_station(double x)
+{
+    return plan.radius * asin(x / (plan.radius + plan.gauge / 2));
+}
+
+static void test_plan(void)
+{
+    /* x m, separation mm of the running edges across the straight track, R = 760 m, gauge 1435 mm. */
+    static const double edges[][2] = {{45.974, -44.5}, {46.048, -40}, {46.377, -20}, {46.703, 0}, {46.866, 10}, {47.027, 20},
+                                      {47.189, 30}, {47.349, 40}, {47.509, 50}, {47.828, 70}, {48.144, 90}};
+    static const double offsets[][2] = {{1, 0.7}, {2, 2.6}, {3, 5.9}, {4, 10.5}, {5, 16.4}, {6, 23.7}, {8, 42.1}, {10, 65.8},
+                                        {12, 94.7}, {15, 148}, {20, 263}, {25, 411}, {30, 592}, {40, 1053}};
+    double worst = 0, phi = 2 * atan(sqrt(plan.gauge / (2 * plan.radius)));
+
+    near(plan.radius * plan.angle, 50.592, 1e-3, "the arc is 50.592 m long");
+    near(plan.radius * tan(plan.angle / 2), 25.3052, 1e-4, "tangent length 25.305 m, as the drawing's 25 305 mm");
+    near(plan_separation_station(&plan, 0), plan.radius * phi, 1e-9, "edges meet at R phi, tan^2(phi/2) = gauge/2R");
+    near((plan.radius + plan.gauge / 2) * sin(phi), 46.703, 1e-3, "the mathematical point is at x = 46.703 m of the straight track");
+    near(tan(phi), 1 / 16.26, 1e-5, "where the edges cross at 1:16.26");
+    for (size_t i = 0; i < sizeof edges / sizeof *edges; i++)
+        worst = fmax(worst, fabs(1e3 * plan_separation(&plan, edge_station(edges[i][0])) - edges[i][1]));
+    near(worst, 0, 0.25, "separations of the edges within 0.25 mm of the table, rounded to mm in x");
+    worst = 0;
+    for (size_t i = 0; i < sizeof offsets / sizeof *offsets; i++)
+        worst = fmax(worst, (fabs(1e3 * plan_stock(&plan, offsets[i][0]) - offsets[i][1]) - (i < 9 ? 0.06 : 0.6)) / offsets[i][1]);
+    /* Beyond the rounding of the table: across the curve instead of across the straight, 1/cos(s/R). */
+    near(worst, 0, 2.5e-3, "offsets of the stock rail as tabulated, to the rounding and 1/cos(s/R)");
+    near(plan_stock(&plan, -3), 0, 0, "before the front the stock rail is the running rail");
+}
+
+/* Both routes see the same crossing: at the same place of the ground the separations differ by second order only. */
+static void test_routes(void)
+{
+    struct plan through = plan;
+    double worst = 0;
+
+    through.diverging = 0;
+    near(plan_separation_station(&through, 0), 46.703, 1e-3, "through route: the point at 46.703 m");
+    for (double s = 0; s < 54; s += 0.5) {
+        /* The diverging edge in ground axes, from the closed form. */
+        double r = plan.radius + plan.gauge / 2, x = r * sin(s / plan.radius);
+        double y = plan.radius - r * cos(s / plan.radius) - plan.gauge / 2;
+        if (s < plan.radius * plan.angle)
+            worst = fmax(worst, fabs(plan_separation(&through, x) - y));
+    }
+    near(worst, 0, 1e-12, "through route: the nose's edge is the circle R + gauge/2");
+    near(plan_stock(&through, 10), 100 / (2 * (plan.radius - plan.gauge / 2)), 1e-5, "through route: its stock rail is the curved one");
+    near(plan_stock(&through, 60) - plan_stock(&through, 59), 1 / 15.0, 1e-12, "straight at 1:15 behind the arc");
+}
+
+/* First and last y at which an outline is at most this deep. */
+static void span(const struct outline *o, double depth, double *from, double *to)
+{
+    *from = *to = NAN;
+    for (int64_t i = 0; i < o->n; i++)
+        if (o->z[i] <= depth) {
+            if (isnan(*from))
+                *from = o->y[i];
+            *to = o->y[i];
+        }
+}
+
+static double top_of(const struct outline *o)
+{
+    double top = INFINITY;
+    for (int64_t i = 0; i < o->n; i++)
+        top = fmin(top, o->z[i]);
+    return top;
+}
+
+static void body_at(int body, double s, struct outline *o)
+{
+    const char *why = turnout_body(&text.turnout, &plan, &rail, text.smoothing, text.spacing, body, s, o);
+    if (why)
+        ok(0, "body %d at %g m: %s", body, s, why);
+}
+
+/* The blade is as thick as the stock rail has left, its running edge where the gauge is measured, and never in the stock rail. */
+static void test_blade(void)
+{
+    double edge = 0, thickness = 0, clearance = INFINITY, before = INFINITY, rises = 0;
+
+    for (double s = 2; s < 10; s += 0.5) {
+        struct outline blade, stock;
+        double from, to, top, stock_from, stock_to;
+        body_at(TURNOUT_SWITCH, s, &blade);
+        body_at(TURNOUT_STOCK, s, &stock);
+        span(&blade, 0.0142, &from, &to);
+        if (s > 5)
+            edge = fmax(edge, fabs(from - rail.gauge_face));
+        span(&stock, blade.z[blade.n - 1], &stock_from, &stock_to);
+        thickness = fmax(thickness, fabs(blade.y[blade.n - 1] - (rail.gauge_face + plan_stock(&plan, s))));
+        clearance = fmin(clearance, stock_from - blade.y[blade.n - 1]);
+        top = top_of(&blade);
+        rises += top > before + 1e-5;
+        before = top;
+        outline_free(&blade);
+        outline_free(&stock);
+    }
+    near(edge, 0, 2e-4, "blade: running edge at the gauge face, 14 mm below the top");
+    near(thickness, 0, 4e-4, "blade: as thick as the stock rail's offset");
+    ok(clearance > -2e-4, "blade: does not enter the stock rail (%.3f mm)", 1e3 * clearance);
+    near(rises, 0, 0, "blade: its top only rises from the tip on");
+}
+
+static void test_nose(void)
+{
+    double worst = 0, edge = 0, before = INFINITY, sinks = 0;
+
+    for (double w = 0.012; w < 0.075; w += 0.003) {
+        struct outline nose;
+        double s = plan_separation_station(&plan, w), from, to, top;
+        body_at(TURNOUT_NOSE, s, &nose);
+        span(&nose, 0.0142, &from, &to);
+        worst = fmax(worst, w < 0.0719 ? fabs(to - from - w) : 0);
+        edge = fmax(edge, fabs(from - rail.gauge_face));
+        top = top_of(&nose);
+        sinks += top > before + 1e-5;
+        before = top;
+        outline_free(&nose);
+    }
+    near(worst, 0, 4e-4, "nose: as wide as the edges are apart, 14 mm below the top");
+    near(edge, 0, 2e-4, "nose: right edge at the gauge face");
+    near(sinks, 0, 0, "nose: its top only rises");
+    near(before, 0, 1e-7, "nose: the plain rail in the end");
+}
+
+/* The same sections gathered for either side are mirror images, bit for bit; the far side has one plain rail. */
+static void test_mirror(void)
+{
+    struct set set, far;
+    struct prof l = {.position = 0.75}, r = {.position = 0.75};
+    int same = 1;
+
+    ok(turnout_switch_side(&text.turnout) == 'l', "a right-hand turnout has switch rail and nose on the left when diverging");
+    turnout_sections(&text.turnout, text.gauge, text.smoothing, text.spacing, 'l', &rail, &set);
+    ok(!set_prof(&set, 'l', &l) && !set_prof(&set, 'r', &r) && l.position == -0.75, "%d sections", (int)set.sections);
+    for (int64_t i = 0; i < l.polys; i++)
+        for (int64_t a = l.poly_first[i], b = l.poly_first[i + 1] - 1; b >= l.poly_first[i]; a++, b--)
+            same &= l.y[a] == -r.y[b] && l.z[a] == r.z[b] && l.slope[a] == -r.slope[b] && l.curvature[a] == r.curvature[b];
+    ok(same, "left is the mirror image of right: y and slope change sign, z and curvature stay");
+    ok(set.sections >= 30 && set.station[0] == 0 && set.station[set.sections - 1] == 54.2, "from 0 to 54.2 m");
+    prof_free(&l);
+    prof_free(&r);
+    set_free(&set);
+    turnout_sections(&text.turnout, text.gauge, text.smoothing, text.spacing, 'r', &rail, &far);
+    ok(far.sections == 1 && far.polys == 1, "the right side has one section of one rail");
+    set_free(&far);
+}
+
+static double height_at(const struct outline *o, double y)
+{
+    int64_t lo = 0, hi = o->n - 1;
+    if (y < o->y[0] || y > o->y[hi])
+        return INFINITY;
+    while (hi - lo > 1) {
+        int64_t middle = (lo + hi) / 2;
+        *(o->y[middle] <= y ? &lo : &hi) = middle;
+    }
+    return o->z[lo] + (o->z[hi] - o->z[lo]) * (y - o->y[lo]) / (o->y[hi] - o->y[lo]);
+}
+
+/* z of the running circle of a centred rigid wheel, and the body that carries it. */
+static double wheel_height(double s, int *carrier)
+{
+    double least = INFINITY, offset = gauge_wheel_position(1.360, 0.070) - gauge_rail_position(rail.gauge_face, 1.435);
+
+    for (int body = 0; body < TURNOUT_BODIES; body++) {
+        struct outline o;
+        body_at(body, s, &o);
+        for (int64_t i = 0; i < o.n; i++) {
+            double z = o.z[i] - height_at(&wheel.outline, o.y[i] - offset);
+            if (isfinite(z) && z < least) {
+                least = z;
+                *carrier = body;
+            }
+        }
+        outline_free(&o);
+    }
+    return least;
+}
+
+static void test_path(void)
+{
+    int carrier = 0, before = 0, changes = 0;
+    double low = -INFINITY, high = INFINITY, at[4] = {0};
+
+    for (double s = 0; s <= 54.2; s += s > 45 && s < 49 ? 0.02 : 0.1) {
+        double z = wheel_height(s, &carrier);
+        if (carrier != before && changes < 4)
+            at[changes++] = s;
+        before = carrier;
+        low = fmax(low, z);
+        high = fmin(high, z);
+    }
+    ok(changes == 2, "the wheel changes rails twice: onto the switch rail, onto the nose");
+    ok(at[0] > 4 && at[0] < 8, "onto the switch rail at %.1f m, a blade %.0f mm thick", at[0], 1e3 * plan_stock(&plan, at[0]));
+    ok(at[1] > 46.8 && at[1] < 47.4, "onto the nose at %.2f m, %.0f mm wide", at[1], 1e3 * plan_separation(&plan, at[1]));
+    ok(low < 0.002 && high > -0.002, "the path stays within 2 mm: %.2f to %.2f mm", 1e3 * high, 1e3 * low);
+}
+
+int main(void)
+{
+    shape_make("data/profiles/60E1.yaml", &rail, 2e-4);
+    shape_make("data/profiles/S1002.yaml", &wheel, 2e-4);
+    ok(!prof_text_read(&text, "data/turnouts/60E1-R760-1-15.yaml", NULL, 0, NULL), "the turnout's input");
+    plan = turnout_plan(&text.turnout, text.gauge);
+    test_plan();
+    test_routes();
+    test_blade();
+    test_nose();
+    test_mirror();
+    test_path();
+    section_free(&rail);
+    section_free(&wheel);
+    prof_text_free(&text);
+    return done();
+}

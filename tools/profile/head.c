@@ -1,0 +1,130 @@
+#include "tools/profile/head.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "formats/reason.h"
+#include "tools/profile/curve.h"
+#include "tools/profile/gauge.h"
+#include "tools/profile/resample.h"
+
+#define STEP 2.5e-5          /* m, of y while cutting */
+#define CROWN_SLOPE 0.2      /* the crown of a head is where it is flatter: beyond, the parabola that continues it */
+#define ROUND_SHARE 0.4      /* largest edge radius, of the width */
+
+/* Height of an outline at y, INFINITY beside it. */
+static double outline_height(const struct outline *o, double y)
+{
+    int64_t lo = 0, hi = o->n - 1;
+
+    if (y < o->y[0] || y > o->y[hi])
+        return INFINITY;
+    while (hi - lo > 1) {
+        int64_t middle = (lo + hi) / 2;
+        if (o->y[middle] <= y)
+            lo = middle;
+        else
+            hi = middle;
+    }
+    return o->z[lo] + (o->z[hi] - o->z[lo]) * (y - o->y[lo]) / (o->y[hi] - o->y[lo]);
+}
+
+/* The crown on the gauge side of y = 0 and beyond its edge; the rail itself on the field side. */
+static double crown_height(const struct outline *o, double y)
+{
+    int64_t i = 0;
+
+    while (i < o->n - 1 && o->slope[i] < -CROWN_SLOPE)
+        i++;
+    double d = y - o->y[i], second = o->curvature[i] * pow(1 + o->slope[i] * o->slope[i], 1.5);
+    return d >= 0 ? outline_height(o, y) : o->z[i] + d * (o->slope[i] + d * second / 2);
+}
+
+void head_round(int64_t n, double step, double r, double *z, double *work)
+{
+    int64_t m = (int64_t)(r / step);
+
+    /* Lowest free centre of a disc over i: max_k z_{i+k} + sqrt(r^2 - (k step)^2). */
+    for (int64_t i = 0; i < n; i++) {
+        work[i] = i < m || i >= n - m ? INFINITY : -INFINITY;
+        for (int64_t k = -m; k <= m && work[i] < INFINITY; k++)
+            work[i] = fmax(work[i], z[i + k] + sqrt(r * r - (double)(k * k) * step * step));
+    }
+    for (int64_t i = 0; i < n; i++) {
+        z[i] = INFINITY;
+        for (int64_t k = i < m ? -i : -m; k <= m && i + k < n; k++)
+            z[i] = fmin(z[i], work[i + k] - sqrt(r * r - (double)(k * k) * step * step));
+    }
+}
+
+/* z[n] from y on becomes a smooth outline; what lies deeper than the rail's outline is left out. */
+static const char *head_outline(int64_t n, double y, const double *z, double depth, const struct head_options *o,
+                                double r, struct outline *out)
+{
+    struct points p = {0};
+    struct curve curve = {0};
+    struct clean_count count;
+    int64_t room = 0;
+    const char *why = NULL;
+
+    for (int64_t i = 0; !why && i < n; i++)
+        if (z[i] <= depth)
+            why = points_add(&p, &room, y + (double)i * STEP, z[i], 1);
+    if (!why && !(why = clean_points(&p, &count)) && !(why = curve_fit(&curve, &p, fmin(o->smoothing, 2 * r))))
+        if (!(why = resample_curve(&curve, o->spacing, out)))
+            why = clean_outline(out);
+    curve_free(&curve);
+    points_free(&p);
+    return why;
+}
+
+const char *head_blade(const struct section *rail, double thickness, double lowering, const struct head_options *o,
+                       struct outline *blade)
+{
+    const struct outline *plain = &rail->outline;
+    double r = fmin(o->edge_radius, ROUND_SHARE * thickness), depth = plain->z[0], from = plain->y[0], face;
+    const char *why;
+
+    *blade = (struct outline){0};
+    /* The back stands upright where the stock rail's gauge face is as deep as the rounded edge. */
+    if ((why = gauge_face(plain, fmin(lowering + r, depth), &face)))
+        return why;
+    face = fmin(face, rail->gauge_face);
+    double back = face + thickness, high = crown_height(plain, fmin(back, 0));
+    int64_t n = (int64_t)((back - from) / STEP) + 1;
+    double *z = calloc((size_t)n * 2, sizeof *z);
+    if (!z)
+        return REASON_MEMORY;
+    for (int64_t i = 0; i < n; i++) {
+        double y = from + (double)i * STEP;
+        z[i] = fmax(outline_height(plain, y), lowering - high + crown_height(plain, y));
+    }
+    head_round(n, STEP, r, z, z + n);
+    why = head_outline(n, from, z, depth, o, r, blade);
+    free(z);
+    return why;
+}
+
+const char *head_nose(const struct section *rail, double width, double lowering, const struct head_options *o,
+                      struct outline *nose)
+{
+    const struct outline *plain = &rail->outline;
+    double r = fmin(o->edge_radius, ROUND_SHARE * width), depth = plain->z[0], from = plain->y[0];
+    double mirror = 2 * rail->gauge_face + width, high = crown_height(plain, mirror / 2);
+    int64_t n = (int64_t)((mirror - 2 * from) / STEP) + 1;
+    double *z = calloc((size_t)n * 2, sizeof *z);
+
+    *nose = (struct outline){0};
+    if (!z)
+        return REASON_MEMORY;
+    for (int64_t i = 0; i < n; i++) {
+        double y = from + (double)i * STEP, other = mirror - y;
+        double head = fmax(outline_height(plain, y), outline_height(plain, other));
+        double crown = fmax(crown_height(plain, y), crown_height(plain, other));
+        z[i] = fmax(head, lowering - high + crown);
+    }
+    head_round(n, STEP, r, z, z + n);
+    const char *why = head_outline(n, from, z, depth, o, r, nose);
+    free(z);
+    return why;
+}

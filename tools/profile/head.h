@@ -1,0 +1,31 @@
+/* Rail heads cut by machining: switch rail and nose.
+ *
+ * A right rail: y to the right, field side positive, z down from the top of the plain rail, the gauge face at -y.  What is left
+ * of a head lies below all the surfaces it is cut by, so its own is the deepest of them; its edges are then rounded by the
+ * discs that fit inside (a morphological opening). */
+#ifndef VX_HEAD_H
+#define VX_HEAD_H
+
+#include "tools/profile/section.h"
+
+struct head_options {
+    double edge_radius;       /* m, at most 0.4 of the width */
+    double smoothing;         /* m */
+    double spacing;           /* m */
+};
+
+/* The head of a switch rail `thickness` thick behind its gauge face, its top `lowering` below the plain rail's top: the crown goes down
+ * as a whole, the gauge side below it stays. */
+const char *head_blade(const struct section *rail, double thickness, double lowering, const struct head_options *o,
+                       struct outline *blade);
+
+/* A nose between the gauge faces of two rails `width` apart, at least `lowering` below the plain rail's top; the right one of
+ * them is the mirror image of the left. */
+const char *head_nose(const struct section *rail, double width, double lowering, const struct head_options *o,
+                      struct outline *nose);
+
+/* Heights z[n] (m) at even steps of y become the upper edge of all discs of radius r that fit below them; INFINITY is no
+ * material.  work[n]. */
+void head_round(int64_t n, double step, double r, double *z, double *work);
+
+#endif
