@@ -150,11 +150,12 @@ static void blend(const struct cell *c, const struct branch *b, struct contact *
     o->row[CTAB_BODY] = b->body;
 }
 
-/* Carries a contact from roll 0 to roll. */
-static void turn(struct contact *o, double roll)
+/* Carries a contact from roll 0 to roll.  The wheel's own slope, angle less roll, sets how far ahead it touches. */
+static void turn(struct contact *o, double yaw, double roll)
 {
     double *row = o->row, t = row[CTAB_HEIGHT_U], bend = (1 + t * t) * row[CTAB_ROLL_Y];
     double y = row[CTAB_ROLL_Y] * roll, on_wheel = y + (row[CTAB_RAIL_Z] - row[CTAB_HEIGHT]) * roll;
+    double angle = row[CTAB_RAIL_K] * sqrt(1 + t * t) * y;
 
     o->height += (row[CTAB_HEIGHT_ROLL] - 0.5 * bend * roll) * roll;
     o->height_u = t;
@@ -163,7 +164,8 @@ static void turn(struct contact *o, double roll)
     row[CTAB_RAIL_Z] += t * y;
     row[CTAB_WHEEL_Y] += on_wheel;
     row[CTAB_RADIUS] += t * on_wheel;
-    row[CTAB_ANGLE] += row[CTAB_RAIL_K] * sqrt(1 + t * t) * y;
+    row[CTAB_ANGLE] += angle;
+    row[CTAB_X] -= yaw * (on_wheel + row[CTAB_RADIUS] * (1 + t * t) * (angle - roll));
     row[CTAB_HEIGHT] = o->height;
     row[CTAB_HEIGHT_ROLL] = o->height_roll;
 }
@@ -176,6 +178,7 @@ int contact_lookup(const struct ctab *t, double s, double yaw, double u, double 
 
     if (!(u >= t->u[0] && u <= t->u[t->us - 1]))
         return -1;
+    yaw = fmax(t->yaw[0], fmin(yaw, t->yaw[t->yaws - 1]));
     cell_corners(t, s, yaw, u, &cell);
     for (int k = 0; k < CORNERS; k++)
         if (cell.count[k])
@@ -185,7 +188,7 @@ int contact_lookup(const struct ctab *t, double s, double yaw, double u, double 
         blend(&cell, &branch[j], &one);
         if (!(one.weight > 0))
             continue;
-        turn(&one, roll);
+        turn(&one, yaw, roll);
         int i = n++;
         for (; i > 0 && c[i - 1].height > one.height; i--)
             c[i] = c[i - 1];
