@@ -5,9 +5,6 @@
  * motion after EN 15302.  x forward, y to the right, z down, SI units. */
 #include "tools/cli/cli.h"
 
-#include <stdlib.h>
-#include <string.h>
-
 #include "formats/ctab.h"
 #include "formats/prof.h"
 #include "tools/contact/conicity.h"
@@ -72,40 +69,6 @@ static const enum ctab_column printed[] = {
     CTAB_HERTZ_C, CTAB_HERTZ_A, CTAB_HERTZ_B, CTAB_BODY,
 };
 enum { PRINTED = sizeof printed / sizeof *printed };
-
-struct item { const char *key; double *value; double lo, hi; int needed; };
-
-/* "key=number,key=number" of an option into its items. */
-static void parse_items(const char *option, const char *text, const struct item *item, int n)
-{
-    unsigned seen = 0;
-
-    for (const char *p = text; ; p++) {
-        size_t length = strcspn(p, "=,");
-        int i = 0;
-        char *end;
-        while (i < n && !(strlen(item[i].key) == length && strncmp(item[i].key, p, length) == 0))
-            i++;
-        if (i == n || p[length] != '=')
-            cli_misuse("--%s: \"%s\" must be KEY=NUMBER,...; see -h for the keys", option, p);
-        if (seen >> i & 1)
-            cli_misuse("--%s: %s is given twice", option, item[i].key);
-        const char *number = p + length + 1;
-        double value = strtod(number, &end);
-        if (end == number || strspn(number, "+-.0123456789eE") < (size_t)(end - number) || (*end && *end != ','))
-            cli_misuse("--%s: %s=%s is not a number", option, item[i].key, number);
-        if (!(value >= item[i].lo && value <= item[i].hi))
-            cli_misuse("--%s: %s is %g, must be %g to %g", option, item[i].key, value, item[i].lo, item[i].hi);
-        *item[i].value = value;
-        seen |= 1u << i;
-        p = end;
-        if (!*p)
-            break;
-    }
-    for (int i = 0; i < n; i++)
-        if (item[i].needed && !(seen >> i & 1))
-            cli_misuse("--%s needs %s=", option, item[i].key);
-}
 
 /* Exactly one of the five forms of the usage. */
 static char **parse(int argc, char **argv)
@@ -191,12 +154,12 @@ static void check_yaw(const struct ctab *t, const char *path, double yaw)
 static void print_query(const char *path)
 {
     double u = 0, yaw = 0, s = 0, roll = 0;
-    const struct item item[] = {{"u", &u, -1, 1, 1}, {"yaw", &yaw, -0.1, 0.1, 0}, {"s", &s, -1e5, 1e5, 0}, {"roll", &roll, -0.1, 0.1, 0}};
+    const struct cli_item item[] = {{"u", &u, -1, 1, 1}, {"yaw", &yaw, -0.1, 0.1, 0}, {"s", &s, -1e5, 1e5, 0}, {"roll", &roll, -0.1, 0.1, 0}};
     struct vxf f;
     struct ctab t;
     struct contact c[CONTACT_MAX];
 
-    parse_items("query", opt.query, item, 4);
+    cli_items("query", opt.query, item, 4);
     open_table(&f, &t, path, 0);
     check_yaw(&t, path, yaw);
     int n = contact_lookup(&t, s, yaw, u, roll, c);
@@ -248,14 +211,14 @@ static void print_conicity(const struct wheelset_point *p, int64_t n, double r0)
 static void print_pair(char **path)
 {
     double y = 0, yaw = 0, s = 0, load = 0;
-    const struct item item[] = {{"y", &y, -1, 1, 1}, {"yaw", &yaw, -0.1, 0.1, 0}, {"s", &s, -1e5, 1e5, 0}, {"load", &load, 0, 1e7, 0}};
+    const struct cli_item item[] = {{"y", &y, -1, 1, 1}, {"yaw", &yaw, -0.1, 0.1, 0}, {"s", &s, -1e5, 1e5, 0}, {"load", &load, 0, 1e7, 0}};
     static struct wheelset_point p[SWEEP_MOST];
     struct vxf f[2];
     struct ctab t[2];
     int64_t n = 0;
 
     if (opt.wheelset)
-        parse_items("wheelset", opt.wheelset, item, 4);
+        cli_items("wheelset", opt.wheelset, item, 4);
     open_table(&f[0], &t[0], path[0], 'l');
     open_table(&f[1], &t[1], path[1], 'r');
     if (t[0].radius != t[1].radius)

@@ -42,6 +42,10 @@ struct cli_program {
 /* Reads the options; returns the operands, *operands of them, between least and most; exits 2 on misuse, 0 after -h. */
 char **cli_begin(const struct cli_program *p, int argc, char **argv, int least, int most, int *operands);
 
+/* The value of an option "key=number,key=number" into its items[n], within lo..hi, or misuse. */
+struct cli_item { const char *key; double *value; double lo, hi; int needed; };
+void cli_items(const char *option, const char *text, const struct cli_item *item, int n);
+
 /* Closes standard output, checked, and returns the exit status. */
 int cli_end(void);
 

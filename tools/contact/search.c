@@ -1,0 +1,149 @@
+/* Each rail body is searched by itself; minima of all bodies are sorted by height.  The end of a body counts as a contact (an edge) only
+ * where no other body of the section lies beside it, as a switch rail does beside its stock rail. */
+#include "tools/contact/search.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "formats/reason.h"
+#include "tools/contact/locus.h"
+
+#define APART 4e-3            /* m: nearer minima on one body are one patch (D_COMB of CONTACT, Vollebregt 2022) */
+#define WITHIN 8e-3           /* m: a contact further above the first is left out; no approach is that large */
+#define BESIDE 1e-3           /* m beyond its end another body must reach for the end not to count */
+
+static void poly_copy(const struct prof *p, int64_t poly, int mirror, struct search_poly *o)
+{
+    int64_t from = p->poly_first[poly], to = p->poly_first[poly + 1];
+
+    o->n = to - from;
+    for (int64_t i = 0; i < o->n; i++) {
+        int64_t j = mirror ? to - 1 - i : from + i;
+        o->y[i] = mirror ? -p->y[j] : p->y[j];
+        o->z[i] = p->z[j];
+        o->slope[i] = mirror ? -p->slope[j] : p->slope[j];
+        o->k[i] = p->curvature[j];
+    }
+}
+
+static int64_t longest(const struct prof *p)
+{
+    int64_t n = 0;
+
+    for (int64_t i = 0; i < p->polys; i++)
+        n = p->poly_first[i + 1] - p->poly_first[i] > n ? p->poly_first[i + 1] - p->poly_first[i] : n;
+    return n;
+}
+
+/* Nodes on the grid of the widest polyline, with one to spare. */
+static int64_t widest(const struct prof *p, double step)
+{
+    int64_t n = 0;
+
+    for (int64_t i = 0; i < p->polys; i++) {
+        int64_t from = p->poly_first[i], m = gap_nodes(p->y + from, p->poly_first[i + 1] - from, step) + 1;
+        n = m > n ? m : n;
+    }
+    return n;
+}
+
+/* Divides one block: 7 arrays of points, 3 of each rail body, 3 of each yaw. */
+static const char *search_room(struct search *s, int64_t points, int64_t rail_nodes, int64_t wheel_nodes, int64_t yaws)
+{
+    double **part[] = {&s->poly.y, &s->poly.z, &s->poly.slope, &s->poly.k, &s->ly, &s->lz, &s->lslope};
+    const int64_t parts = sizeof part / sizeof *part;
+
+    s->store = calloc((size_t)(parts * points + 3 * rail_nodes * SEARCH_BODIES + 3 * wheel_nodes * yaws), sizeof *s->store);
+    s->wheel = calloc((size_t)yaws, sizeof *s->wheel);
+    if (!s->store || !s->wheel)
+        return REASON_MEMORY;
+    double *at = s->store;
+    for (int64_t i = 0; i < parts; i++, at += points)
+        *part[i] = at;
+    for (int i = 0; i < SEARCH_BODIES; i++, at += 3 * rail_nodes)
+        s->rail[i] = (struct gap_curve){.z = at, .slope = at + rail_nodes, .k = at + 2 * rail_nodes};
+    for (int64_t i = 0; i < yaws; i++, at += 3 * wheel_nodes)
+        s->wheel[i] = (struct gap_curve){.z = at, .slope = at + wheel_nodes, .k = at + 2 * wheel_nodes};
+    return NULL;
+}
+
+const char *search_begin(struct search *s, const struct prof *wheel, const struct prof *rail, const double *yaw, int64_t yaws,
+                         double step)
+{
+    /* Yaw narrows a silhouette, but moves points of slope up to 1/tan(yaw) by r0 tan(yaw) at most. */
+    int64_t spare = (int64_t)ceil(2 * wheel->radius * yaw[yaws - 1] / step);
+    int64_t points = longest(wheel) > longest(rail) ? longest(wheel) : longest(rail);
+    int64_t wheel_nodes = widest(wheel, step) + 2 * spare;
+    const char *why;
+
+    *s = (struct search){.mirror = wheel->side == 'l', .step = step};
+    s->wheel_position = s->mirror ? -wheel->position : wheel->position;
+    s->rail_position = s->mirror ? -rail->position : rail->position;
+    if ((why = search_room(s, points, widest(rail, step), wheel_nodes, yaws)))
+        return why;
+    poly_copy(wheel, 0, s->mirror, &s->poly);
+    for (int64_t i = 0; i < yaws; i++) {
+        locus_silhouette(s->poly.y, s->poly.z, s->poly.slope, s->poly.n, s->wheel_position, wheel->radius, yaw[i], s->ly, s->lz,
+                         s->lslope);
+        for (int64_t j = 0; j < s->poly.n; j++)
+            s->ly[j] -= s->rail_position;
+        if (gap_nodes(s->ly, s->poly.n, step) > wheel_nodes)
+            return reason("wheel profile too steep for a yaw of %g rad", yaw[i]);
+        gap_tabulate(s->ly, s->lz, s->lslope, s->poly.k, s->poly.n, step, &s->wheel[i]);
+    }
+    return NULL;
+}
+
+void search_free(struct search *s)
+{
+    free(s->store);
+    free(s->wheel);
+}
+
+/* Does a body of this section other than `poly` reach over y (m, of the file)? */
+static int covered(const struct prof *p, int64_t section, int64_t poly, double y)
+{
+    for (int64_t i = 0; i < p->polys; i++)
+        if (i != poly && p->poly_section[i] == section && p->y[p->poly_first[i]] <= y && p->y[p->poly_first[i + 1] - 1] >= y)
+            return 1;
+    return 0;
+}
+
+const char *search_section(struct search *s, const struct prof *p, int64_t section)
+{
+    s->bodies = 0;
+    for (int64_t i = 0; i < p->polys; i++) {
+        if (p->poly_section[i] != section)
+            continue;
+        if (s->bodies == SEARCH_BODIES)
+            return reason("section %lld has more than %d bodies", (long long)section, SEARCH_BODIES);
+        int low = covered(p, section, i, p->y[p->poly_first[i]] - BESIDE) ? 0 : s->mirror ? GAP_RIGHT_END : GAP_LEFT_END;
+        int high = covered(p, section, i, p->y[p->poly_first[i + 1] - 1] + BESIDE) ? 0 : s->mirror ? GAP_LEFT_END : GAP_RIGHT_END;
+        poly_copy(p, i, s->mirror, &s->poly);
+        s->body[s->bodies] = (int)p->poly_body[i];
+        s->ends[s->bodies] = low | high;
+        gap_tabulate(s->poly.y, s->poly.z, s->poly.slope, s->poly.k, s->poly.n, s->step, &s->rail[s->bodies++]);
+    }
+    return NULL;
+}
+
+int search_contacts(const struct search *s, int64_t iy, int64_t shift, struct search_contact c[SEARCH_MOST])
+{
+    struct gap_minimum found[SEARCH_MOST];
+    int n = 0;
+
+    for (int b = 0; b < s->bodies; b++) {
+        int minima = gap_minima(&s->rail[b], &s->wheel[iy], shift, s->step, APART, s->ends[b], found, SEARCH_MOST);
+        for (int k = 0; k < minima; k++) {
+            if (n == SEARCH_MOST && found[k].gap >= c[n - 1].at.gap)
+                continue;
+            int i = n < SEARCH_MOST ? n++ : n - 1;
+            for (; i > 0 && c[i - 1].at.gap > found[k].gap; i--)
+                c[i] = c[i - 1];
+            c[i] = (struct search_contact){.at = found[k], .body = s->body[b]};
+        }
+    }
+    while (n > 0 && c[n - 1].at.gap > c[0].at.gap + WITHIN)
+        n--;
+    return n;
+}

@@ -1,0 +1,46 @@
+/* The wheel's silhouettes and the rail bodies of one section on a common grid, and the contacts found between them.
+ *
+ * y to the right, z down, of the right side: profiles of a left side are mirrored in. */
+#ifndef VX_CONTACT_SEARCH_H
+#define VX_CONTACT_SEARCH_H
+
+#include "formats/prof.h"
+#include "tools/contact/gap.h"
+
+enum { SEARCH_MOST = 4, SEARCH_BODIES = 8 };
+
+/* One polyline, [n] each. */
+struct search_poly {
+    int64_t n;
+    double *y, *z, *slope, *k;
+};
+
+struct search {
+    int mirror;                              /* the profiles are those of a left side */
+    double step;                             /* m, of the grid */
+    double wheel_position, rail_position;    /* m, mirrored with the profiles */
+    double *store;
+    struct search_poly poly;                 /* room for the longest polyline */
+    double *ly, *lz, *lslope;                /* room for the wheel's silhouette */
+    struct gap_curve *wheel;                 /* [yaws] y from the rail's origin */
+    struct gap_curve rail[SEARCH_BODIES];
+    int body[SEARCH_BODIES], ends[SEARCH_BODIES], bodies;
+};
+
+struct search_contact {
+    struct gap_minimum at;
+    int body;
+};
+
+/* Tabulates the silhouettes for yaw[yaws] (rad, even about 0); to be released by search_free, also after a failure. */
+const char *search_begin(struct search *s, const struct prof *wheel, const struct prof *rail, const double *yaw, int64_t yaws,
+                         double step);
+void search_free(struct search *s);
+
+/* Tabulates the rail bodies of a section. */
+const char *search_section(struct search *s, const struct prof *rail, int64_t section);
+
+/* Contacts at the iy-th yaw with the wheel moved right by `shift` nodes, the first to touch first. */
+int search_contacts(const struct search *s, int64_t iy, int64_t shift, struct search_contact c[SEARCH_MOST]);
+
+#endif
