@@ -104,32 +104,40 @@ static double mode_like(const double *hz, const double *A, int64_t m, const int6
     return at;
 }
 
-static void test_coach_modes(const struct veh *v)
+static void test_modes(const struct veh *v)
 {
     static const int64_t bounce[] = {VEH_Z}, pitch[] = {VEH_PITCH}, bogies[] = {VEH_DOFS + VEH_Z, 2*VEH_DOFS + VEH_Z};
     static const double plus[] = {1, 1};
     double *hz, *A;
     int64_t m = held_modes(v, &hz, &A);
 
-    near(mode_like(hz, A, m, bounce, plus, 1), 1.074, 0.005*1.074, "carbody bounce 1.074 Hz");
-    near(mode_like(hz, A, m, pitch, plus, 1), 1.299, 0.005*1.299, "carbody pitch 1.299 Hz");
-    near(mode_like(hz, A, m, bogies, plus, 2), 7.47, 0.005*7.47, "bogie bounce 7.47 Hz");
+    if (!strcmp(v->name, "manchester-passenger")) {
+        near(mode_like(hz, A, m, bounce, plus, 1), 1.074, 0.005*1.074, "the coach: carbody bounce 1.074 Hz");
+        near(mode_like(hz, A, m, pitch, plus, 1), 1.299, 0.005*1.299, "carbody pitch 1.299 Hz");
+        near(mode_like(hz, A, m, bogies, plus, 2), 7.47, 0.005*7.47, "bogie bounce 7.47 Hz");
+    }
+    if (!strcmp(v->name, "passenger-19t"))
+        near(mode_like(hz, A, m, bounce, plus, 1), 1.074, 0.005*1.074, "the heavier coach keeps its bounce frequency");
     free(hz);
     free(A);
 }
 
 int main(void)
 {
-    static const char *const coach = "data/vehicles/manchester-passenger.yaml";
-    struct veh v;
-    const char *why = load(&v, coach);
+    static const char *const vehicle[] = {"manchester-passenger", "passenger-19t", "freight-y25-22t5", "wheelset"};
 
-    if (!ok(!why, "%s: %s", coach, why ? why : "stands"))
-        return done();
-    test_symmetry(&v, "K", v.K);
-    test_symmetry(&v, "C", v.C);
-    test_derivatives(&v);
-    test_coach_modes(&v);
-    veh_free(&v);
+    for (size_t i = 0; i < sizeof vehicle/sizeof *vehicle; i++) {
+        char path[64];
+        struct veh v;
+        snprintf(path, sizeof path, "data/vehicles/%s.yaml", vehicle[i]);
+        const char *why = load(&v, path);
+        if (ok(!why, "%s: %s", path, why ? why : "stands")) {
+            test_symmetry(&v, "K", v.K);
+            test_symmetry(&v, "C", v.C);
+            test_derivatives(&v);
+            test_modes(&v);
+        }
+        veh_free(&v);
+    }
     return done();
 }

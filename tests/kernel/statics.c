@@ -88,6 +88,23 @@ static void test_off_centre(void)
     veh_free(&v);
 }
 
+/* The trains of the study: 19 t and 22.5 t a wheelset. */
+static void test_trains(void)
+{
+    static const struct { const char *path; double load; } train[] = {
+        {"data/vehicles/passenger-19t.yaml", 93.2e3}, {"data/vehicles/freight-y25-22t5.yaml", 110.4e3}, {"data/vehicles/wheelset.yaml", 54.55e3}};
+
+    for (size_t i = 0; i < sizeof train/sizeof *train; i++) {
+        struct veh v;
+        const char *why = load(&v, train[i].path, NULL, NULL);
+        if (ok(!why, "%s: %s", train[i].path, why ? why : "stands")) {
+            near(v.wheel_load[0], train[i].load, 0.001*train[i].load, "its first left wheel carries what it should");
+            ok(imbalance(&v) < 1e-12, "every body is in balance");
+        }
+        veh_free(&v);
+    }
+}
+
 static void test_refusals(void)
 {
     static const struct { const char *one, *two, *what; } bad[] = {
@@ -116,6 +133,7 @@ int main(void)
 {
     test_coach();
     test_off_centre();
+    test_trains();
     test_refusals();
     return done();
 }
