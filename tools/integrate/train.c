@@ -16,12 +16,23 @@ static void set_inverse(struct train *t)
         t->inverse[6 * v->wheelset[i] + VEH_X] = 0;
 }
 
+static double middle(const struct veh *v)
+{
+    double mass = 0, moment = 0;
+
+    for (int64_t i = 0; i < v->bodies; i++) {
+        mass += v->mass[i];
+        moment += v->mass[i] * v->cg[3 * i];
+    }
+    return moment / mass;
+}
+
 const char *train_new(struct train *t, const struct veh *v, double speed)
 {
     size_t n = (size_t)(6 * v->bodies);
 
-    *t = (struct train){.vehicle = v, .dofs = 6 * v->bodies, .speed = speed};
-    t->q = calloc(6 * n, sizeof *t->q);
+    *t = (struct train){.vehicle = v, .dofs = 6 * v->bodies, .speed = speed, .middle = middle(v)};
+    t->q = calloc(7 * n, sizeof *t->q);
     t->line = calloc((size_t)v->bodies, sizeof *t->line);
     if (!t->q || !t->line) {
         train_free(t);
@@ -32,6 +43,7 @@ const char *train_new(struct train *t, const struct veh *v, double speed)
     t->before = t->a + n;
     t->f = t->before + n;
     t->inverse = t->f + n;
+    t->local = t->inverse + n;
     set_inverse(t);
     return NULL;
 }
@@ -47,6 +59,19 @@ void train_locate(struct train *t, const struct alignment *a, double s)
 {
     for (int64_t i = 0; i < t->vehicle->bodies; i++)
         t->line[i] = alignment_at(a, s + t->vehicle->cg[3 * i]);
+    t->tangent = alignment_at(a, s + t->middle);
+}
+
+/* Lateral positions and yaws against the tangent at the train's middle.  Rates may keep the tangent's own motion, which is
+ * that of a rigid body and moves no coupling. */
+static void localise(struct train *t)
+{
+    memcpy(t->local, t->q, (size_t)t->dofs * sizeof *t->q);
+    for (int64_t i = 0; i < t->vehicle->bodies; i++) {
+        double ahead = t->vehicle->cg[3 * i] - t->middle;
+        t->local[6 * i + VEH_Y] -= t->tangent.offset + t->tangent.heading * ahead;
+        t->local[6 * i + VEH_YAW] -= t->tangent.heading;
+    }
 }
 
 void train_in_frame(const struct train *t, int64_t i, double q[6], double v[6])
@@ -107,7 +132,8 @@ void train_accelerate(struct train *t, const struct wheel_output *w)
     memset(t->f, 0, (size_t)t->dofs * sizeof *t->f);
     for (int64_t i = 0; i < v->bodies; i++)
         t->f[6 * i + VEH_Z] = v->mass[i] * v->gravity;
-    couplings_force(v, t->q, t->v, t->f);
+    localise(t);
+    couplings_force(v, t->local, t->v, t->f);
     for (int64_t i = 0; i < v->wheelsets; i++)
         add_wheels(t, i, w + 2 * i);
     for (int64_t k = 0; k < t->dofs; k++)

@@ -1,8 +1,9 @@
 /* The train in the time step: bodies on the alignment, couplings, weights, wheel forces, gyroscopic moments.
  *
- * Lateral position and yaw of every body count from the tangent at the beginning of the alignment (alignment.h), so the
- * couplings see them as on a straight track; less offset and heading at the body's station they are those in its own
- * track-following frame, which wheels and recorders use.  The pitch of a wheelset is its spin beyond -v/r0. */
+ * Lateral position and yaw of every body count from the tangent at the beginning of the alignment (alignment.h).  Less offset and
+ * heading at the body's station they are those in its own track-following frame, which wheels and recorders use; less the tangent at
+ * the train's middle they are small angles in one straight frame, in which the couplings act: relative yaw and lateral offset of the bodies'
+ * frames are in them already.  The pitch of a wheelset is its spin beyond -v/r0. */
 #ifndef VX_TRAIN_H
 #define VX_TRAIN_H
 
@@ -18,6 +19,9 @@ struct train {
     double *f;                      /* [dofs] N, N m */
     double *inverse;                /* [dofs] 1/kg, 1/(kg m2); 0 for a wheelset's x, which is prescribed */
     struct alignment_point *line;   /* [bodies] the alignment at each body now */
+    double middle;                  /* m, of the train, from the front wheelset: its centre of gravity */
+    struct alignment_point tangent; /* the alignment there now */
+    double *local;                  /* [dofs] q against that tangent */
 };
 
 const char *train_new(struct train *t, const struct veh *v, double speed);
