@@ -24,6 +24,7 @@ const char *direct_new(struct direct *d, const struct trk *t)
 {
     memset(d, 0, sizeof *d);
     d->track = t;
+    d->part = 1;
     d->A = calloc(2 * (size_t)t->Ap[t->dofs], sizeof *d->A);
     d->f = calloc(2 * (size_t)t->dofs, sizeof *d->f);
     d->common = calloc(1, sizeof(klu_l_common));
@@ -44,7 +45,8 @@ static void fill(struct direct *d, double complex s)
     double most = 0;
 
     for (int64_t p = 0; p < t->Ap[t->dofs]; p++) {
-        const double re = t->Kx[p] + sr * t->Cx[p] + s2r * t->Mx[p], im = si * t->Cx[p] + s2i * t->Mx[p];
+        const double re = t->Kx[p] + sr * (d->part * t->Cx[p]) + s2r * t->Mx[p];
+        const double im = si * (d->part * t->Cx[p]) + s2i * t->Mx[p];
         d->A[2 * p] = re;
         d->A[2 * p + 1] = im;
         most = fmax(most, fabs(re) + fabs(im));

@@ -8,6 +8,7 @@
 
 struct direct {
     const struct trk *track;            /* must outlive this */
+    double part;                        /* of the damping C that counts, 1 unless set */
     double *A;                          /* [entries][2] K + s C + s^2 M, real and imaginary part */
     double *f;                          /* [dofs][2] the load, kept for the residual */
     double scale;                       /* largest entry of A */

@@ -1,0 +1,203 @@
+/* vxfreq: a track or a vehicle in the frequency domain.
+ *
+ * In: .trk, or .veh for modes.  Out: .frf, receptance by direct solution at each frequency; .mod, natural modes, undamped and with the
+ * damping of the complex eigenvalue; or text.  z down, H = displacement over force for exp(+i omega t), SI units. */
+#include "tools/cli/cli.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "formats/frf.h"
+#include "formats/mod.h"
+#include "formats/trk.h"
+#include "formats/veh.h"
+#include "tools/receptance/dense.h"
+#include "tools/receptance/modes.h"
+#include "tools/receptance/peaks.h"
+#include "tools/receptance/sweep.h"
+#include "tools/track/point.h"
+#include "tools/track/seat.h"
+
+static const char usage[] =
+    "vxfreq --receptance [--excite left|right|both] [--at sleeper|midspan] [--x M] [--from HZ] [--to HZ] [--step HZ] "
+    "[--peaks [--hermite]] [-o FILE] TRACK\n"
+    "vxfreq --modes N [--near HZ] [--text] [-o FILE] TRACK|VEHICLE\n"
+    "vxfreq --static --load N [--excite left|right|both] [--at sleeper|midspan] [--x M] [-o FILE] TRACK";
+
+static const double NOWHERE = -1e9;
+
+static struct {
+    int receptance, statics, peaks, hermite, text;
+    int excite, at;
+    int64_t modes;
+    double x;                        /* m; NOWHERE is the middle of the track */
+    double load;                     /* N on each loaded rail */
+    double near;                     /* Hz */
+    struct sweep sweep;              /* Hz */
+    const char *out;
+} opt = {.excite = EXCITE_BOTH, .at = AT_SLEEPER, .x = -1e9, .sweep = {10, 1500, 1}};
+
+static const char *const excites[] = {"left", "right", "both", NULL};
+static const char *const places[] = {"sleeper", "midspan", NULL};
+
+static const struct cli_option options[] = {
+    {.name = "receptance", .type = CLI_FLAG, .value = &opt.receptance},
+    {.name = "modes", .type = CLI_INT, .value = &opt.modes, .lo = 1, .hi = 1e6},
+    {.name = "static", .type = CLI_FLAG, .value = &opt.statics},
+    {.name = "excite", .type = CLI_CHOICE, .value = &opt.excite, .choice = excites},
+    {.name = "at", .type = CLI_CHOICE, .value = &opt.at, .choice = places},
+    {.name = "x", .type = CLI_NUM, .value = &opt.x, .lo = -1e6, .hi = 1e6},
+    {.name = "from", .type = CLI_NUM, .value = &opt.sweep.from, .lo = 0, .hi = 1e6},
+    {.name = "to", .type = CLI_NUM, .value = &opt.sweep.to, .lo = 0, .hi = 1e6},
+    {.name = "step", .type = CLI_NUM, .value = &opt.sweep.step, .lo = 1e-6, .hi = 1e6},
+    {.name = "peaks", .type = CLI_FLAG, .value = &opt.peaks},
+    {.name = "hermite", .type = CLI_FLAG, .value = &opt.hermite},
+    {.name = "near", .type = CLI_NUM, .value = &opt.near, .lo = 0, .hi = 1e6},
+    {.name = "text", .type = CLI_FLAG, .value = &opt.text},
+    {.name = "load", .type = CLI_NUM, .value = &opt.load, .lo = 1e-6, .hi = 1e9},
+    {.name = "o", .type = CLI_TEXT, .value = &opt.out},
+    {0},
+};
+
+static const struct cli_program program = {
+    .name = "vxfreq",
+    .purpose = "Receptance, natural modes and static deflection of a track; natural modes of a vehicle.",
+    .usage = usage,
+    .option = options,
+};
+
+static const char *parse(int argc, char **argv)
+{
+    int n;
+    char **operand = cli_begin(&program, argc, argv, 1, 1, &n);
+
+    if (opt.receptance + opt.statics + (opt.modes > 0) != 1)
+        cli_misuse("one of --receptance, --modes and --static is wanted");
+    if (opt.statics && !(opt.load > 0))
+        cli_misuse("--static needs --load, the force in N on each rail that --excite names");
+    if (opt.sweep.to < opt.sweep.from)
+        cli_misuse("--to %g Hz lies below --from %g Hz", opt.sweep.to, opt.sweep.from);
+    if ((opt.peaks && !opt.receptance) || (opt.text && !opt.modes))
+        cli_misuse("--peaks goes with --receptance, --text with --modes");
+    if (opt.hermite && !(opt.peaks && opt.at == AT_MIDSPAN))
+        cli_misuse("--hermite goes with --peaks --at midspan");
+    return operand[0];
+}
+
+/* Where --at and --x point to. */
+static struct point locate(const struct trk *t)
+{
+    struct point p;
+    const double middle = 0.5 * (t->x[0] + t->x[t->nodes - 1]);
+
+    point_at(&p, t, point_station(t, opt.at, opt.x > NOWHERE ? opt.x : middle));
+    return p;
+}
+
+static void print_peaks(const struct frf *r)
+{
+    struct peak *p = calloc((size_t)r->n, sizeof *p);
+    struct cli_out out;
+
+    if (!p)
+        cli_die(REASON_MEMORY);
+    int64_t n = peaks_find(r->n, r->frequency, opt.hermite && r->hermites ? r->hermite : r->receptance, p);
+    cli_create(&out, opt.out, 0);
+    for (int64_t i = 0; i < n; i++)
+        fprintf(out.file, "%s  %.2f  %.4e\n", p[i].is_dip ? "dip" : "peak", p[i].frequency, p[i].amplitude);
+    cli_close(&out);
+    free(p);
+}
+
+static void run_receptance(const struct vxf *f, const char *path)
+{
+    struct vxf_out o;
+    struct trk t;
+    struct frf r;
+
+    cli_check(path, trk_read(&t, f));
+    const struct point p = locate(&t);
+    cli_check(path, sweep_point(&r, &t, &p, opt.at, opt.excite, &opt.sweep));
+    if (opt.peaks)
+        print_peaks(&r);
+    else {
+        vxf_out_begin(&o, "frf");
+        vxf_put_input(&o, f);
+        cli_check(path, frf_put(&r, &o));
+        cli_write(&o, opt.out);
+        vxf_out_free(&o);
+    }
+    frf_free(&r);
+    trk_free(&t);
+}
+
+static void run_static(const struct vxf *f, const char *path)
+{
+    struct cli_out out;
+    struct seat s;
+    struct trk t;
+
+    cli_check(path, trk_read(&t, f));
+    const struct point p = locate(&t);
+    cli_check(path, seat_load(&s, &t, &p, opt.excite, opt.load));
+    cli_create(&out, opt.out, 0);
+    fprintf(out.file, "deflection       %.6g m\n", s.deflection);
+    fprintf(out.file, "seat force       %.6g N\n", s.force);
+    fprintf(out.file, "pad compression  %.6g m\n", s.compression);
+    cli_close(&out);
+    trk_free(&t);
+}
+
+static void print_modes(const struct mod *m)
+{
+    struct cli_out out;
+
+    cli_create(&out, opt.out, 0);
+    for (int64_t i = 0; i < m->n; i++)
+        fprintf(out.file, "%lld  %.4f  %.5f  %s\n", (long long)i + 1, m->frequency[i], m->damping[i], *m->name[i] ? m->name[i] : "-");
+    cli_close(&out);
+}
+
+static void run_modes(const struct vxf *f, const char *path)
+{
+    struct vxf_out o;
+    struct trk t = {0};
+    struct veh v = {0};
+    struct mod m;
+
+    if (vxf_is(f, "veh") == NULL) {
+        cli_check(path, veh_read(&v, f));
+        cli_check(path, dense_vehicle(&m, &v, opt.modes, opt.near));
+    } else {
+        cli_check(path, trk_read(&t, f));
+        cli_check(path, modes_track(&m, &t, opt.modes, opt.near));
+    }
+    if (opt.text)
+        print_modes(&m);
+    else {
+        vxf_out_begin(&o, "mod");
+        vxf_put_input(&o, f);
+        cli_check(path, mod_put(&m, &o));
+        cli_write(&o, opt.out);
+        vxf_out_free(&o);
+    }
+    mod_free(&m);
+    veh_free(&v);
+    trk_free(&t);
+}
+
+int main(int argc, char **argv)
+{
+    const char *path = parse(argc, argv);
+    struct vxf f;
+
+    cli_open(&f, path, NULL);
+    if (opt.receptance)
+        run_receptance(&f, path);
+    else if (opt.statics)
+        run_static(&f, path);
+    else
+        run_modes(&f, path);
+    vxf_close(&f);
+    return cli_end();
+}
