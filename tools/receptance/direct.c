@@ -11,7 +11,7 @@
 #include "formats/reason.h"
 
 static const double GROWTH = 1e-6;      /* below it the pivots are chosen anew */
-static const double RESIDUAL = 1e-10;   /* of |A| |u| + |f|, largest norms */
+static const double RESIDUAL = 1e-10;   /* of |A| |u| + |f| */
 
 static const char *why_not(const klu_l_common *c, double complex s)
 {
@@ -30,6 +30,7 @@ const char *direct_new(struct direct *d, const struct trk *t)
     d->common = calloc(1, sizeof(klu_l_common));
     if (d->A && d->f && d->common) {
         klu_l_defaults(d->common);
+        ((klu_l_common *)d->common)->scale = -1;         /* no row scaling, nor a check of the pattern at each s */
         d->symbolic = klu_l_analyze(t->dofs, (SuiteSparse_long *)t->Ap, (SuiteSparse_long *)t->Ai, d->common);
     }
     if (d->symbolic)
@@ -49,7 +50,8 @@ static void fill(struct direct *d, double complex s)
         const double im = si * (d->part * t->Cx[p]) + s2i * t->Mx[p];
         d->A[2 * p] = re;
         d->A[2 * p + 1] = im;
-        most = fmax(most, fabs(re) + fabs(im));
+        const double size = fabs(re) + fabs(im);
+        most = size > most ? size : most;
     }
     d->scale = most;
 }
@@ -83,38 +85,38 @@ const char *direct_factor(struct direct *d, double complex s)
     return factor(d, s, 1);
 }
 
-/* |A u - f| against |A| |u| + |f|; most_f is the largest of f. */
-static const char *check_residual(const struct direct *d, const double *u, double most_f)
+/* |A u - f| against |A| |u| + |f|, in sums, which a NaN spoils; size_f is |f|. */
+static const char *check_residual(const struct direct *d, const double *u, double size_f)
 {
     const struct trk *t = d->track;
-    double most_u = 0, most_r = 0;
+    double size_u = 0, residual = 0;
 
     for (int64_t j = 0; j < t->dofs; j++) {
         const double ur = u[2 * j], ui = u[2 * j + 1];
-        most_u = fmax(most_u, fabs(ur) + fabs(ui));
+        size_u += fabs(ur) + fabs(ui);
         for (int64_t p = t->Ap[j]; p < t->Ap[j + 1]; p++) {
             d->f[2 * t->Ai[p]] -= d->A[2 * p] * ur - d->A[2 * p + 1] * ui;
             d->f[2 * t->Ai[p] + 1] -= d->A[2 * p] * ui + d->A[2 * p + 1] * ur;
         }
     }
     for (int64_t i = 0; i < 2 * t->dofs; i++)
-        most_r = fmax(most_r, fabs(d->f[i]));
-    if (!(most_r <= RESIDUAL * (d->scale * most_u + most_f)))
-        return reason("the solution leaves a residual of %g for a load of %g", most_r, most_f);
+        residual += fabs(d->f[i]);
+    if (!(residual <= RESIDUAL * (d->scale * size_u + size_f)))
+        return reason("the solution leaves a residual of %g for a load of %g", residual, size_f);
     return NULL;
 }
 
 const char *direct_solve(struct direct *d, double *u)
 {
     const int64_t n = d->track->dofs;
-    double most_f = 0;
+    double size_f = 0;
 
     memcpy(d->f, u, 2 * (size_t)n * sizeof *u);
     for (int64_t i = 0; i < 2 * n; i++)
-        most_f = fmax(most_f, fabs(u[i]));
+        size_f += fabs(u[i]);
     if (!klu_zl_solve(d->symbolic, d->numeric, n, 1, u, d->common))
         return reason("no solution (KLU status %d)", (int)((klu_l_common *)d->common)->status);
-    return check_residual(d, u, most_f);
+    return check_residual(d, u, size_f);
 }
 
 void direct_free(struct direct *d)
