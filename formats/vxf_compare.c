@@ -60,10 +60,10 @@ static int is_exact(const struct vxf_array *a, const struct vxf_tolerance *t)
     return is_whole(a) || (t->relative == 0 && t->absolute == 0 && t->rms == 0);
 }
 
-/* NaN against a number is beyond any tolerance. */
+/* NaN or infinity against a number is beyond any tolerance. */
 static int is_beyond(const struct vxf_tolerance *t, double size, const double x[2], const double y[2])
 {
-    return !(size <= fmax(t->absolute, t->relative * fmax(hypot(x[0], x[1]), hypot(y[0], y[1]))));
+    return !isfinite(size) || size > fmax(t->absolute, t->relative * fmax(hypot(x[0], x[1]), hypot(y[0], y[1])));
 }
 
 static void note(struct vxf_difference *d, int64_t i, double size, const double x[2], const double y[2])
