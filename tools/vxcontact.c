@@ -18,8 +18,8 @@
 enum { SWEEP_MOST = 4801 };
 
 static const char usage[] =
-    "vxcontact --wheel FILE --rail FILE --yaw none|exact [--u-max M] [--u-step M] [--yaw-max RAD] [--yaws N]"
-    " [--shear-modulus PA] [--poisson NU] [-o FILE]\n"
+    "vxcontact --wheel FILE --rail FILE --yaw none|exact [--u-max M] [--u-step M]\n"
+    "          [--yaw-max RAD] [--yaws N] [--shear-modulus PA] [--poisson NU] [-o FILE]\n"
     "vxcontact --query u=M[,yaw=RAD][,s=M][,roll=RAD] TABLE\n"
     "vxcontact --wheelset y=M[,yaw=RAD][,s=M][,load=N] [--no-roll] LEFT RIGHT\n"
     "vxcontact --conicity M [--no-roll] LEFT RIGHT\n"
