@@ -103,5 +103,8 @@ int main(void)
     double fy[4] = {0, 2e-3, 1e-3, 3e-3}, fz[4] = {0, -1e-3, 0, 1e-3}, fs[4] = {-0.5, -0.5, 0.5, 0.5}, fk[4] = {0};
     gap_tabulate(fy, fz, fs, fk, 4, STEP, &rail);
     ok(rail.n == 31 && fabs(rail.z[15] - 0.25e-3) < 1e-12 && fabs(rail.z[5] + 0.25e-3) < 1e-12, "a fold keeps its lowest branch");
+    double gz[4] = {0, 1e-3, 0, -1e-3}, gs[4] = {0.5, 0.5, -0.5, -0.5};
+    gap_tabulate(fy, gz, gs, fk, 4, STEP, &rail);
+    ok(rail.n == 31 && fabs(rail.z[15] - 0.75e-3) < 1e-12 && fabs(rail.z[25] + 0.75e-3) < 1e-12, "whichever piece comes first");
     return done();
 }

@@ -67,6 +67,16 @@ static void slopes(const struct ctab *t)
     ok(curved > 2, "and the flange was met");
 }
 
+static void turn_profile(struct shape *w, double roll)
+{
+    for (int64_t i = 0; i < w->prof.points; i++) {
+        double y = w->y[i], z = w->z[i], a = atan(w->slope[i]) + roll;
+        w->y[i] = y * cos(roll) - z * sin(roll);
+        w->z[i] = z * cos(roll) + y * sin(roll);
+        w->slope[i] = tan(a);
+    }
+}
+
 /* The wheel's profile turned by roll about its running circle's lowest point, tabulated anew. */
 static void turned(const struct ctab *t, const struct prof *rail, double roll, double place_most)
 {
@@ -75,12 +85,7 @@ static void turned(const struct ctab *t, const struct prof *rail, double roll, d
     struct ctab exact;
     double height = 0, place = 0, angle = 0, without = 0;
     g.yaws = 3;
-    for (int64_t i = 0; i < w->prof.points; i++) {
-        double y = w->y[i], z = w->z[i], a = atan(w->slope[i]) + roll;
-        w->y[i] = y * cos(roll) - z * sin(roll);
-        w->z[i] = z * cos(roll) + y * sin(roll);
-        w->slope[i] = tan(a);
-    }
+    turn_profile(w, roll);
     if (!ok(!table_fill(&exact, &w->prof, rail, TABLE_EXACT, &g), "table of the turned wheel"))
         return;
     for (int i = -80; i <= 80; i++) {
@@ -100,6 +105,34 @@ static void turned(const struct ctab *t, const struct prof *rail, double roll, d
     ok(height < 0.02 * without, "roll %g: heights as of the turned wheel", roll);
     ok(place < place_most, "roll %g: contact points within %g mm of the turned wheel's", roll, place_most * 1e3);
     ok(angle < place_most / 13e-3, "roll %g: contact angles within that over the gauge corner's radius", roll);
+    ctab_free(&exact);
+    free(w);
+}
+
+/* How far ahead a yawed and rolled wheelset touches: the turned profile is that of a wheel whose own slope is greater by roll, which
+ * the wheelset's is not, so its x has roll r sin(yaw) too much taken off. */
+static void turned_ahead(const struct ctab *t, const struct prof *rail)
+{
+    struct shape *w = shape_s1002('r');
+    struct table_grid g = grid;
+    struct ctab exact;
+    double worst = 0, moved = 0, roll = -3e-3, yaw = 0.02;
+    g.yaws = 2;
+    turn_profile(w, roll);
+    if (!ok(!table_fill(&exact, &w->prof, rail, TABLE_EXACT, &g), "table of the turned wheel"))
+        return;
+    for (int i = -80; i <= 80; i++) {
+        struct contact c[CONTACT_MAX], e[CONTACT_MAX];
+        int n = contact_lookup(t, 0, yaw, i * 1e-4, roll, c), m = contact_lookup(&exact, 0, yaw, i * 1e-4, 0, e);
+        if (m < 1 || n < 1)
+            continue;
+        const struct contact *mate = nearest(c, n, e[0].row[CTAB_WHEEL_Y]);
+        if (fabs(e[0].row[CTAB_ANGLE]) > 0.1 || fabs(mate->row[CTAB_RAIL_Y] - e[0].row[CTAB_RAIL_Y]) > 0.1e-3)
+            continue;
+        worst = fmax(worst, fabs(mate->row[CTAB_X] - e[0].row[CTAB_X] - roll * e[0].row[CTAB_RADIUS] * sin(yaw)));
+        moved = fmax(moved, fabs(mate->row[CTAB_X] + t->wheel_position * sin(yaw)));
+    }
+    ok(worst < 10e-6 && moved > 0.3e-3, "roll %g, yaw %g: x as of the turned wheel within 10 um (%.2g m)", roll, yaw, worst);
     ctab_free(&exact);
     free(w);
 }
@@ -204,6 +237,7 @@ int main(void)
     slopes(&t);
     turned(&t, &r->prof, 5e-4, 0.2e-3);
     turned(&t, &r->prof, -3e-3, 1e-3);
+    turned_ahead(&t, &r->prof);
     along_the_track(&w->prof);
 
     ok(contact_lookup(&t, 0, 0, 9.01e-3, 0, c) == -1 && contact_lookup(&t, 0, 0, -9.01e-3, 0, c) == -1, "u beyond the table is said");
