@@ -62,6 +62,7 @@ struct prof_text {
 };
 
 extern const struct yaml_schema prof_text_schema;
+extern const char *const prof_part_names[], *const prof_unit_names[];   /* by enum, NULL-terminated */
 
 /* Reads and checks; zones and points are in metres afterwards, and file is made relative to where path is.
  * *hash covers the values, not the file they name. */

@@ -8,6 +8,9 @@
 #include <inttypes.h>
 #include <string.h>
 
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
 #include "formats/prof.h"
 #include "formats/prof_text.h"
 #include "tools/profile/gauge.h"
@@ -72,32 +75,36 @@ static void input_read(const char *path, struct prof_text *t, uint64_t *hash)
                                        set.item, set.n, hash));
 }
 
-static void shape_make(const char *path, const struct prof_text *t, const struct section_options *o, struct section *s)
+/* *hash goes on over the points. */
+static void shape_make(const char *path, const struct prof_text *t, const struct section_options *o, struct section *s,
+                       uint64_t *hash)
 {
     struct points p;
 
     if (t->zones.n)
         cli_check(path, zones_points(t->zones.n, t->zones.item, t->symmetric, t->spacing, &p));
     else
-        cli_check(path, prof_text_points(t, &p));
+        cli_check(t->file ? t->file : path, prof_text_points(t, &p));
+    *hash = XXH64(p.y, (size_t)p.n * sizeof *p.y, *hash);
+    *hash = XXH64(p.z, (size_t)p.n * sizeof *p.z, *hash);
     cli_check(path, section_make(s, &p, o));
     points_free(&p);
 }
 
 /* The shape of the wheel or rail, or of the rail a turnout is made of. */
-static void section_read(const char *path, const struct prof_text *t, struct section *s)
+static void section_read(const char *path, const struct prof_text *t, struct section *s, uint64_t *hash)
 {
     struct section_options o = {t->part == PROF_WHEEL, t->cant, t->gauge_depth, t->smoothing, t->spacing};
     struct prof_text rail;
 
     if (t->part != PROF_TURNOUT) {
-        shape_make(path, t, &o, s);
+        shape_make(path, t, &o, s, hash);
         return;
     }
     cli_check(path, prof_text_read(&rail, t->file, NULL, 0, NULL));
     if (rail.part != PROF_RAIL)
         cli_die("%s: a turnout is made of a rail", t->file);
-    shape_make(t->file, &rail, &o, s);
+    shape_make(t->file, &rail, &o, s, hash);
     prof_text_free(&rail);
 }
 
@@ -105,9 +112,10 @@ static void section_read(const char *path, const struct prof_text *t, struct sec
 static void sections_gather(const char *path, const struct prof_text *t, struct section *s, struct set *sections)
 {
     static const char *const wheel[] = {"wheel"}, *const rail[] = {"rail"};
+    char which = side ? 'l' : 'r';
 
     if (t->part == PROF_TURNOUT) {
-        cli_check(path, turnout_sections(&t->turnout, t->gauge, t->smoothing, t->spacing, side ? 'l' : 'r', s, sections));
+        cli_check(path, turnout_sections(&t->turnout, t->gauge, t->smoothing, t->spacing, which, s, sections));
         return;
     }
     *sections = (struct set){.bodies = 1, .body = t->part == PROF_WHEEL ? wheel : rail};
@@ -170,7 +178,7 @@ int main(int argc, char **argv)
     if (n == 0)
         return cli_end();
     input_read(path[0], &text, &hash);
-    section_read(path[0], &text, &section);
+    section_read(path[0], &text, &section, &hash);
     sections_gather(path[0], &text, &section, &sections);
 
     strncpy(prof.name, text.name, sizeof prof.name - 1);
