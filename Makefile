@@ -76,7 +76,7 @@ $(BUILD)/tests/%: $(BUILD)/tests/kernel/%.o $(BUILD)/libvx.a
 -include $(patsubst %.o,%.d,$(ARCHIVED)) $(PROGRAMS:$(BUILD)/bin/%=$(BUILD)/tools/%.d) $(TESTS:$(BUILD)/tests/%=$(BUILD)/tests/kernel/%.d)
 
 # The kernels of the time step and of the contact search.
-$(BUILD)/tools/integrate/%.o $(BUILD)/tools/creep/%.o $(BUILD)/tools/contact/%.o: HOT = -O3
+$(BUILD)/tools/integrate/%.o $(BUILD)/tools/creep/%.o $(BUILD)/tools/contact/%.o $(BUILD)/tools/vehicle/couplings.o: HOT = -O3
 
 deps: $(DEPS)               ## install the Debian packages that are missing
 
