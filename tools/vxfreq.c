@@ -46,7 +46,7 @@ static const struct cli_option options[] = {
     {.name = "static", .type = CLI_FLAG, .value = &opt.statics},
     {.name = "excite", .type = CLI_CHOICE, .value = &opt.excite, .choice = excites},
     {.name = "at", .type = CLI_CHOICE, .value = &opt.at, .choice = places},
-    {.name = "x", .type = CLI_NUM, .value = &opt.x, .lo = -1e6, .hi = 1e6},
+    {.name = "x", .letter = 1, .type = CLI_NUM, .value = &opt.x, .lo = -1e6, .hi = 1e6},
     {.name = "from", .type = CLI_NUM, .value = &opt.sweep.from, .lo = 0, .hi = 1e6},
     {.name = "to", .type = CLI_NUM, .value = &opt.sweep.to, .lo = 0, .hi = 1e6},
     {.name = "step", .type = CLI_NUM, .value = &opt.sweep.step, .lo = 1e-6, .hi = 1e6},

@@ -1,0 +1,92 @@
+#!/bin/sh
+# vxfreq: receptance, modes and static load from the command line.  Run from the project root.
+bin=build/bin
+tmp=$(mktemp -d) || exit 1
+trap 'rm -rf "$tmp"' EXIT
+n=0
+
+ok() {      # status text
+	n=$((n + 1))
+	if [ "$1" -eq 0 ]; then echo "ok $n - $2"; else echo "not ok $n - $2"; fi
+}
+
+refuses() { # status word text command...
+	want=$1 word=$2 text=$3
+	shift 3
+	"$@" >"$tmp/out" 2>"$tmp/err" </dev/null
+	got=$?
+	[ $got -eq "$want" ] && [ ! -s "$tmp/out" ] && [ "$(wc -l <"$tmp/err")" -eq 1 ] && grep -q -e "$word" "$tmp/err"
+	ok $? "$text" || :
+	[ $got -eq "$want" ] || sed 's/^/# /' "$tmp/err"
+}
+
+# The k-th peak (or dip) lies within the tolerance of the frequency and, where it is given, within 2 % of the amplitude.
+extremum() { # file what k Hz tolerance amplitude
+	awk -v what="$2" -v k="$3" -v f="$4" -v t="$5" -v a="$6" '
+		$1 == what && ++i == k { good = $2 >= f - t && $2 <= f + t && (a == "" || ($3 >= 0.98 * a && $3 <= 1.02 * a)) }
+		END { exit !good }' "$1"
+}
+
+track=data/tracks/thesis-straight.yaml
+$bin/vxtrack -o "$tmp/t.trk" $track
+
+$bin/vxtrack $track | $bin/vxfreq --receptance --at sleeper --excite both --from 10 --to 1500 --step 1 - >"$tmp/x.frf" &&
+	$bin/vxinfo "$tmp/x.frf" | grep -q 'receptance  *f64  *1491 x 2 '
+ok $? "the pipe from input to receptance: 1491 frequencies"
+$bin/vxfreq --receptance --at sleeper --excite both --from 10 --to 1500 --step 1 -o "$tmp/y.frf" "$tmp/t.trk"
+[ "$($bin/vxinfo --content "$tmp/x.frf" | cut -c1-16)" = "$($bin/vxinfo --content "$tmp/y.frf" | cut -c1-16)" ]
+ok $? "the same content from a file"
+$bin/vxinfo --history "$tmp/x.frf" | grep -q '^vxtrack data/tracks/thesis-straight.yaml$'
+ok $? "the history tells of vxtrack"
+
+$bin/vxfreq --receptance --peaks "$tmp/t.trk" >"$tmp/peaks"
+extremum "$tmp/peaks" peak 1 119 2 1.006e-8; ok $? "both rails over a sleeper: first peak 119 Hz, 1.006e-8 m/N"
+extremum "$tmp/peaks" peak 2 486 5 2.79e-9; ok $? "second peak 486 Hz"
+extremum "$tmp/peaks" peak 3 901 5; ok $? "third peak 901 Hz"
+extremum "$tmp/peaks" dip 1 256 2; ok $? "first dip 256 Hz"
+$bin/vxfreq --receptance --peaks --excite left "$tmp/t.trk" >"$tmp/peaks"
+extremum "$tmp/peaks" peak 1 121 2 8.87e-9; ok $? "one rail: first peak 121 Hz, 8.87e-9 m/N"
+extremum "$tmp/peaks" peak 2 494 5 2.61e-9; ok $? "second peak 494 Hz, 2.61e-9 m/N"
+$bin/vxfreq --receptance --peaks --hermite --at midspan --from 800 --to 1000 "$tmp/t.trk" |
+	awk '$1 == "peak" && $3 > most { most = $3; f = $2 } END { exit !(f >= 905 && f <= 909) }'
+ok $? "halfway by Hermite's polynomials: pinned-pinned at 907 Hz"
+
+$bin/vxfreq --static --load 1e6 "$tmp/t.trk" >"$tmp/static"
+awk '/^deflection/ { k = 1e6 / $2; good = $3 == "m" && k > 0.99 * 200.9e6 && k < 1.01 * 200.9e6 } END { exit !good }' "$tmp/static"
+ok $? "static stiffness 200.9 MN/m"
+$bin/vxtrack --set ballast.stiffness=400e6 --set railpad.stiffness=150e6 $track | $bin/vxfreq --static --load 93.2e3 - >"$tmp/static"
+awk '/^seat force/ { f = $3 > 42.2e3 && $3 < 44e3 } /^pad compression/ { c = $3 > 0.282e-3 && $3 < 0.294e-3 } END { exit !(f && c) }' \
+	"$tmp/static"
+ok $? "93.2 kN on ballast of 400 and pads of 150 MN/m: seat force 43.1 kN, compression 0.288 mm"
+
+for f in 129.0 505.1; do
+	$bin/vxfreq --modes 8 --near $f --text "$tmp/t.trk" |
+		awk -v f=$f '/in phase/ && $2 > f - 0.1 && $2 < f + 0.1 { good = 1 } END { exit !good }'
+	ok $? "an in-phase mode at $f Hz"
+done
+$bin/vxfreq --modes 8 --near 826 --text "$tmp/t.trk" | awk '/in phase/ && $2 > 825 && $2 < 827 { good = 1 } END { exit !good }'
+ok $? "an in-phase mode at 826 Hz"
+$bin/vxfreq --modes 8 "$tmp/t.trk" >"$tmp/a.mod" && $bin/vxfreq --modes 8 -o "$tmp/b.mod" "$tmp/t.trk" && cmp -s "$tmp/a.mod" "$tmp/b.mod"
+ok $? "modes twice are the same bytes"
+$bin/vxvehicle data/vehicles/manchester-passenger.yaml | $bin/vxfreq --modes 18 --text - >"$tmp/modes"
+[ "$(wc -l <"$tmp/modes")" -eq 18 ] && grep -q 'carbody bounce' "$tmp/modes" && grep -q 'bogie pitch' "$tmp/modes"
+ok $? "a coach has eighteen modes with its wheelsets held, among them carbody bounce"
+
+$bin/vxfreq -h | grep -q '^vxfreq --modes N'
+ok $? "-h prints the usage"
+refuses 2 "one of" "no task" $bin/vxfreq "$tmp/t.trk"
+refuses 2 "one of" "two tasks" $bin/vxfreq --receptance --modes 3 "$tmp/t.trk"
+refuses 2 "load" "--static without a load" $bin/vxfreq --static "$tmp/t.trk"
+refuses 2 "lies below" "a range that runs backwards" $bin/vxfreq --receptance --from 100 --to 10 "$tmp/t.trk"
+refuses 2 "is not a number" "a number with a unit" $bin/vxfreq --receptance --from 10Hz "$tmp/t.trk"
+refuses 2 "must be one of" "a third rail" $bin/vxfreq --receptance --excite middle "$tmp/t.trk"
+refuses 2 "goes with" "--text without --modes" $bin/vxfreq --receptance --text "$tmp/t.trk"
+refuses 2 "input is missing" "no input" $bin/vxfreq --receptance
+refuses 1 "where a .trk file is wanted" "a receptance where a track is wanted" $bin/vxfreq --receptance "$tmp/x.frf"
+refuses 1 "between 1 and 150" "too many modes" $bin/vxfreq --modes 200 "$tmp/t.trk"
+size=$(wc -c <"$tmp/t.trk")
+for part in 0 1 63 64 700 5000 $((size - 1)); do
+	head -c $part "$tmp/t.trk" >"$tmp/cut.trk"
+	refuses 1 "cut.trk" "a track cut after $part bytes" $bin/vxfreq --receptance "$tmp/cut.trk"
+done
+echo "1..$n"

@@ -1,0 +1,136 @@
+/* A track written and read again is the same; what a reader relies on is refused where it does not hold. */
+#include "formats/trk.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "tests/kernel/table1.h"
+#include "tests/kernel/tap.h"
+
+/* Opens a temporary file with what `put` gathered in o. */
+static const char *reopen(struct vxf_out *o, struct vxf *f)
+{
+    char path[] = "/tmp/veksel-trk-XXXXXX";
+    int fd = mkstemp(path);
+    FILE *stream = fd < 0 ? NULL : fdopen(fd, "wb");
+    const char *why = stream ? vxf_write(o, stream) : "no temporary file";
+
+    if (stream)
+        fclose(stream);
+    if (!why)
+        why = vxf_open(f, path);
+    unlink(path);
+    return why;
+}
+
+static void round_trip(const struct trk *t)
+{
+    struct vxf_out o;
+    struct vxf f;
+    struct trk back;
+
+    vxf_out_begin(&o, "trk");
+    ok(trk_put(t, &o) == NULL, "a track can be put");
+    const char *why = reopen(&o, &f);
+    if (!ok(why == NULL, "and written%s%s", why ? ": " : "", why ? why : ""))
+        return;
+    why = trk_read(&back, &f);
+    if (!ok(why == NULL, "and read%s%s", why ? ": " : "", why ? why : ""))
+        return;
+    ok(strcmp(back.name, t->name) == 0 && back.nodes == t->nodes && back.sleepers == t->sleepers && back.dofs == t->dofs &&
+           back.zones == t->zones && back.curves == t->curves,
+       "with name and sizes");
+    const int64_t entries = t->Ap[t->dofs];
+    ok(memcmp(back.Ai, t->Ai, (size_t)entries * sizeof *t->Ai) == 0 && memcmp(back.Kx, t->Kx, (size_t)entries * sizeof *t->Kx) == 0 &&
+           memcmp(back.Cx, t->Cx, (size_t)entries * sizeof *t->Cx) == 0 && memcmp(back.Mx, t->Mx, (size_t)entries * sizeof *t->Mx) == 0,
+       "the same matrices");
+    ok(back.rail_spacing == t->rail_spacing && memcmp(back.pad_k, t->pad_k, 2 * (size_t)t->sleepers * sizeof *t->pad_k) == 0,
+       "and the same pads");
+    trk_free(&back);
+    vxf_close(&f);
+    vxf_out_free(&o);
+}
+
+/* A copy of n numbers from x with the k-th replaced, kept by the track. */
+static const double *with(struct trk *t, const double *x, int64_t n, int64_t k, double value)
+{
+    double *copy = trk_room(t, n, sizeof *copy);
+
+    memcpy(copy, x, (size_t)n * sizeof *copy);
+    copy[k] = value;
+    return copy;
+}
+
+static const int64_t *with_integer(struct trk *t, const int64_t *x, int64_t n, int64_t k, int64_t value)
+{
+    int64_t *copy = trk_room(t, n, sizeof *copy);
+
+    memcpy(copy, x, (size_t)n * sizeof *copy);
+    copy[k] = value;
+    return copy;
+}
+
+static void refused(const struct trk *t, const char *word, const char *what)
+{
+    struct vxf_out o;
+
+    vxf_out_begin(&o, "trk");
+    const char *why = trk_put(t, &o);
+    ok(why && strstr(why, word), "refused: %s (%s)", what, why ? why : "not refused");
+    vxf_out_free(&o);
+}
+
+#define TAMPER(member, n, k, value, word, what) \
+    do { \
+        struct trk bad = *t; \
+        bad.member = with(t, t->member, n, k, value); \
+        refused(&bad, word, what); \
+    } while (0)
+
+#define TAMPER_INTEGER(member, n, k, value, word, what) \
+    do { \
+        struct trk bad = *t; \
+        bad.member = with_integer(t, t->member, n, k, value); \
+        refused(&bad, word, what); \
+    } while (0)
+
+static void refusals(struct trk *t)
+{
+    const int64_t n = t->nodes, s = t->sleepers, entries = t->Ap[t->dofs];
+    struct trk none = *t;
+
+    none.rail_spacing = 0;
+    refused(&none, "rail.spacing", "rails upon each other");
+    TAMPER(x, n, 7, t->x[6], "array x", "a station twice");
+    TAMPER(bending, 2 * (n - 1), 60, 0, "bending", "a rail that does not resist bending");
+    TAMPER(rail_mass, 2 * n, 3, -1, "rail.mass", "a negative mass");
+    TAMPER(sleeper_mass, s, 3, 0, "sleeper.mass", "a sleeper without mass");
+    TAMPER(pad_k, 2 * s, 99, -1, "pad.k", "a negative stiffness");
+    TAMPER(sleeper_x, s, 4, t->sleeper_x[4] + 0.01, "sleeper.x", "a sleeper not below its node");
+    TAMPER_INTEGER(sleeper_node, s, 4, 50, "sleeper.node", "a node beyond the rail");
+    TAMPER_INTEGER(sleeper_number, s, 4, 99, "sleeper.number", "numbers that jump");
+    TAMPER_INTEGER(pad_zone, 2 * s, 4, 1, "pad.zone", "a zone that is not there");
+    TAMPER_INTEGER(node_dof, n, 4, 0, "node.dof", "a degree of freedom used twice");
+    TAMPER_INTEGER(sleeper_dof, s, 4, 1000000, "sleeper.dof", "a degree of freedom beyond the last");
+    TAMPER_INTEGER(Ap, t->dofs + 1, 5, entries + 1, "A.p", "a column beyond the entries");
+    TAMPER_INTEGER(Ai, entries, 5, t->dofs, "A.i", "a row beyond the last");
+    TAMPER_INTEGER(Ai, entries, 5, t->Ai[5] + 1, "mirror", "a pattern that is not symmetric");
+    TAMPER(Kx, entries, 1, t->Kx[1] * 1.01, "K.x", "a stiffness matrix that is not symmetric");
+    TAMPER(Mx, entries, 0, 0, "M.x", "no mass on the diagonal");
+}
+
+int main(void)
+{
+    struct trk t;
+    const char *why = table1(&t, NULL, 0);
+
+    if (!ok(why == NULL, "the track of Table 1 builds%s%s", why ? ": " : "", why ? why : ""))
+        return done();
+    round_trip(&t);
+    refusals(&t);
+    ok(trk_room(&t, -1, 8) == NULL && trk_room(&t, INT64_MAX, 8) == NULL, "impossible room is refused");
+    trk_free(&t);
+    trk_free(&t);
+    return done();
+}
