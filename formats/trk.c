@@ -10,7 +10,7 @@
 #include "formats/reason.h"
 
 /* Sizes an array may have. */
-enum size { ONE, RAILS, BALLAST, NODES, ELEMENTS, SLEEPERS, CURVES, ZONES, LETTERS, COLUMNS, ENTRIES, SIZES };
+enum size { ONE, RAILS, BALLAST, NODES, ELEMENTS, SLEEPERS, CHECKS, CURVES, ZONES, LETTERS, COLUMNS, ENTRIES, SIZES };
 
 enum {
     DOFS_NODE = 4,               /* wl tl wr tr */
@@ -46,6 +46,11 @@ static const struct entry TABLE[] = {
     {"ballast.k",      "N/m",   VXF_F64, 2, {BALLAST, SLEEPERS}, AT(ballast_k)},
     {"ballast.c",      "N.s/m", VXF_F64, 2, {BALLAST, SLEEPERS}, AT(ballast_c)},
     {"ballast.y",      "m",     VXF_F64, 2, {BALLAST, SLEEPERS}, AT(ballast_y)},
+    {"check.rail",     "1",     VXF_I64, 1, {ONE, ONE},          AT(check_rail)},
+    {"check.k",        "N/m",   VXF_F64, 1, {ONE, ONE},          AT(check_k)},
+    {"check.c",        "N.s/m", VXF_F64, 1, {ONE, ONE},          AT(check_c)},
+    {"check.x",        "m",     VXF_F64, 1, {CHECKS, ONE},       AT(check_x)},
+    {"check.play",     "m",     VXF_F64, 1, {CHECKS, ONE},       AT(check_play)},
     {"curve.x",        "m",     VXF_F64, 1, {CURVES, ONE},       AT(curve_x)},
     {"curvature",      "1/m",   VXF_F64, 1, {CURVES, ONE},       AT(curvature)},
     {"zone.name",      "1",     VXF_U8,  2, {ZONES, LETTERS},    AT(zone_name)},
@@ -111,7 +116,10 @@ static const char *check_numbers(const struct trk *t)
 
     (void)((why = increasing("x", t->x, n)) ||
            (why = increasing("sleeper.x", t->sleeper_x, s)) ||
+           (why = increasing("check.x", t->check_x, t->checks)) ||
            (why = increasing("curve.x", t->curve_x, t->curves)) ||
+           (why = at_least("check.k", t->check_k, 1, 0, 1)) ||
+           (why = at_least("check.c", t->check_c, 1, 0, 1)) ||
            (why = at_least("bending", t->bending, TRK_RAILS * (n - 1), 0, 0)) ||
            (why = at_least("rail.mass", t->rail_mass, TRK_RAILS * n, 0, 0)) ||
            (why = at_least("rail.inertia", t->rail_inertia, TRK_RAILS * n, 0, 0)) ||
@@ -224,6 +232,8 @@ static const char *check(const struct trk *t, int64_t entries)
                       (long long)t->sleepers);
     if (!(t->rail_spacing > 0))
         return reason("rail.spacing: %g must be positive", t->rail_spacing);
+    if (*t->check_rail != TRK_LEFT && *t->check_rail != TRK_RIGHT)
+        return reason("array check.rail: %lld is no side", (long long)*t->check_rail);
     if ((why = check_numbers(t)) || (why = check_sleepers(t)) || (why = check_dofs(t)) || (why = check_columns(t, entries)))
         return why;
     int64_t *next = calloc((size_t)t->dofs, sizeof *next);
@@ -243,6 +253,7 @@ const char *trk_read(struct trk *t, const struct vxf *f)
     memset(t, 0, sizeof *t);
     for (int k = 0; k < SIZES; k++)
         size[k] = -1;
+    size[ONE] = 1;
     size[RAILS] = TRK_RAILS;
     size[BALLAST] = TRK_BALLAST;
     size[LETTERS] = sizeof t->zone_name[0];
@@ -256,6 +267,7 @@ const char *trk_read(struct trk *t, const struct vxf *f)
     t->nodes = size[NODES];
     t->sleepers = size[SLEEPERS];
     t->dofs = size[COLUMNS] - 1;
+    t->checks = size[CHECKS];
     t->curves = size[CURVES];
     t->zones = size[ZONES];
     return check(t, size[ENTRIES]);
@@ -267,7 +279,7 @@ const char *trk_put(const struct trk *t, struct vxf_out *o)
     if (why)
         return why;
     const int64_t size[SIZES] = {
-        [RAILS] = TRK_RAILS, [BALLAST] = TRK_BALLAST, [NODES] = t->nodes, [ELEMENTS] = t->nodes - 1, [SLEEPERS] = t->sleepers,
+        [ONE] = 1, [CHECKS] = t->checks, [RAILS] = TRK_RAILS, [BALLAST] = TRK_BALLAST, [NODES] = t->nodes, [ELEMENTS] = t->nodes - 1, [SLEEPERS] = t->sleepers,
         [CURVES] = t->curves, [ZONES] = t->zones, [LETTERS] = sizeof t->zone_name[0], [COLUMNS] = t->dofs + 1,
         [ENTRIES] = t->Ap[t->dofs]};
     vxf_put_key(o, "NAME", "%s", t->name);

@@ -20,6 +20,7 @@ struct trk {
     int64_t dofs;                      /* 4 nodes + 2 sleepers */
     int64_t curves;
     int64_t zones;
+    int64_t checks;                    /* knots of the check rail's play; 0: no check rail */
     const double *x;                   /* m [nodes] station, increasing */
     const double *bending;             /* N m2 [2][nodes - 1] of the element behind each node */
     const double *rail_mass;           /* kg [2][nodes] lumped at the node */
@@ -33,6 +34,10 @@ struct trk {
     const double *pad_k, *pad_c;       /* N/m, N s/m [2][sleepers] */
     const double *ballast_k, *ballast_c; /* N/m, N s/m [3][sleepers] left, middle, right */
     const double *ballast_y;           /* m [3][sleepers] from the sleeper's centre */
+    const int64_t *check_rail;         /* [1] side of the check rail, TRK_LEFT or TRK_RIGHT */
+    const double *check_k, *check_c;   /* N/m, N s/m [1] lateral, against the ground */
+    const double *check_x;             /* m [checks] stations, increasing; there is no check rail beyond the ends */
+    const double *check_play;          /* m [checks] free play of the back of the flange, wheelset centred; straight between */
     const double *curve_x;             /* m [curves] station from which the curvature holds, to the next or the end */
     const double *curvature;           /* 1/m [curves] positive to the right; 0 before the first */
     const char (*zone_name)[32];       /* [zones] */

@@ -11,6 +11,7 @@
 
 static const char *const MASS_MODELS[] = {"lumped", NULL};
 static const char *const BEAMS[] = {"euler", NULL};
+static const char *const SIDES[] = {"left", "right", NULL};
 static const char *const RAILS[] = {"left", "right", "both", NULL};
 
 static const struct yaml_field RAIL_FIELDS[] = {
@@ -49,6 +50,14 @@ static const struct yaml_field BALLAST_FIELDS[] = {
     {"edge", YAML_NUM, AT(trk_text_ballast, edge), 0, 10, "m", "0.35", "outer springs, from the ends of the sleeper", NULL, NULL},
     {0}};
 
+static const struct yaml_field CHECK_FIELDS[] = {
+    {"rail", YAML_CHOICE, AT(trk_text_check, rail), 0, 0, "", NULL, "beside which rail it stands", NULL, SIDES},
+    {"play", YAML_TABLE, AT(trk_text_check, play), -0.1, 1, "m", NULL,
+     "free play of the flange's back, wheelset centred, over station; no check rail beyond the ends", NULL, NULL},
+    {"stiffness", YAML_NUM, AT(trk_text_check, stiffness), YAML_POSITIVE, 1e12, "N/m", NULL, "lateral, against the ground", NULL, NULL},
+    {"damping", YAML_NUM, AT(trk_text_check, damping), 0, 1e9, "N s/m", "0", "lateral, against the ground", NULL, NULL},
+    {0}};
+
 static const struct yaml_field CURVE_FIELDS[] = {
     {"from", YAML_NUM, AT(trk_text_curve, from), -1e6, 1e6, "m", NULL, "station from which it holds, to the next one", NULL, NULL},
     {"curvature", YAML_NUM, AT(trk_text_curve, curvature), -1, 1, "1/m", NULL, "positive to the right", NULL, NULL},
@@ -65,6 +74,7 @@ static const struct yaml_schema RAIL = {"rail", sizeof(struct trk_text_rail), RA
 static const struct yaml_schema SLEEPER = {"sleeper", sizeof(struct trk_text_sleeper), SLEEPER_FIELDS};
 static const struct yaml_schema PAD = {"railpad", sizeof(struct trk_text_pad), PAD_FIELDS};
 static const struct yaml_schema BALLAST = {"ballast", sizeof(struct trk_text_ballast), BALLAST_FIELDS};
+static const struct yaml_schema CHECK = {"check_rail", sizeof(struct trk_text_check), CHECK_FIELDS};
 static const struct yaml_schema CURVE = {"curve", sizeof(struct trk_text_curve), CURVE_FIELDS};
 static const struct yaml_schema ZONE_PAD = {"railpad", sizeof(struct trk_text_zone_pad), ZONE_PAD_FIELDS};
 
@@ -89,6 +99,8 @@ static const struct yaml_field TRACK_FIELDS[] = {
     {"sleeper", YAML_MAP, AT(trk_text, sleeper), 0, 0, "", NULL, "a rigid bar", &SLEEPER, NULL},
     {"railpad", YAML_MAP, AT(trk_text, railpad), 0, 0, "", NULL, "the reference, where no zone says otherwise", &PAD, NULL},
     {"ballast", YAML_MAP, AT(trk_text, ballast), 0, 0, "", NULL, "three springs and dampers under a sleeper", &BALLAST, NULL},
+    {"check_rail", YAML_LIST, AT(trk_text, check_rail), 0, 0, "", YAML_ABSENT, "one at most: guides the flange's back at a crossing", &CHECK,
+     NULL},
     {"curve", YAML_LIST, AT(trk_text, curve), 0, 0, "", YAML_ABSENT, "curvature along the track; straight before the first", &CURVE,
      NULL},
     {"zone", YAML_LIST, AT(trk_text, zone), 0, 0, "", YAML_ABSENT, "railpads of their own", &ZONE, NULL},
@@ -103,6 +115,17 @@ static const char *check_curve(const struct yaml_list *curve)
     for (int64_t i = 1; i < curve->n; i++)
         if (!(c[i].from > c[i - 1].from))
             return reason("curve.%lld.from: %g must be beyond the %g of the one before", (long long)i + 1, c[i].from, c[i - 1].from);
+    return NULL;
+}
+
+static const char *check_check_rail(const struct yaml_list *list)
+{
+    const struct trk_text_check *c = list->item;
+
+    if (list->n > 1)
+        return reason("check_rail: %lld items, one at most is possible", (long long)list->n);
+    if (list->n == 1 && (c->play.by_number || c->play.n < 2))
+        return "check_rail.1.play: {station: [...], value: [...]} is wanted, from one end of the check rail to the other";
     return NULL;
 }
 
@@ -126,7 +149,7 @@ static const char *check(const struct trk_text *in)
 
     if (strlen(in->name) >= sizeof ((struct trk *)NULL)->name)
         return reason("name: \"%s\" is longer than 63 letters", in->name);
-    if ((why = check_curve(&in->curve)))
+    if ((why = check_curve(&in->curve)) || (why = check_check_rail(&in->check_rail)))
         return why;
     for (int64_t k = 0; k < in->zone.n; k++)
         if ((why = check_zone(&z[k], k + 1)))

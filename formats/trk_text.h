@@ -32,6 +32,12 @@ struct trk_text_ballast {
     double edge;                          /* m, outer springs from the ends of the sleeper */
 };
 
+struct trk_text_check {
+    int rail;                             /* TRK_TEXT_LEFT or TRK_TEXT_RIGHT */
+    double stiffness, damping;            /* N/m, N s/m */
+    struct yaml_table play;               /* m over station */
+};
+
 struct trk_text_curve { double from, curvature; };              /* m, 1/m */
 
 struct trk_text_zone_pad { double stiffness, damping; };        /* N/m, N s/m; 0 keeps the reference */
@@ -52,6 +58,7 @@ struct trk_text {
     struct trk_text_sleeper sleeper;
     struct trk_text_pad railpad;
     struct trk_text_ballast ballast;
+    struct yaml_list check_rail;          /* of struct trk_text_check, none or one */
     struct yaml_list curve;               /* of struct trk_text_curve */
     struct yaml_list zone;                /* of struct trk_text_zone */
 };

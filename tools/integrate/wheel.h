@@ -53,6 +53,7 @@ struct wheel_patch {
 struct wheel_output {
     double Q, Y, T;              /* N on the rail */
     double Mx;                   /* N m of Q and Y about the track axis at rail level */
+    double check;                /* N of the flange's back on the check rail, part of Y: set by check_add */
     double force[3], moment[3];  /* N, N m on the wheelset: x y z, about x, about the axle, about z */
     double rail_z;               /* m deflection of the rail under the wheel */
     int patches;                 /* with N > 0, the most loaded first */

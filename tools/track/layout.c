@@ -156,6 +156,32 @@ static const char *lay_pads(struct trk *t, const struct trk_text *in)
     return NULL;
 }
 
+/* Without a check rail its scalars stand all the same: side left, no stiffness, no knots. */
+static const char *lay_check_rail(struct trk *t, const struct trk_text *in)
+{
+    const struct trk_text_check *c = in->check_rail.n ? in->check_rail.item : NULL;
+    const int64_t n = c ? c->play.n : 0;
+    double *k = numbers(t, 1), *damping = numbers(t, 1), *x = numbers(t, n), *play = numbers(t, n);
+    int64_t *rail = trk_room(t, 1, sizeof *rail);
+
+    if (!k || !damping || !x || !play || !rail)
+        return REASON_MEMORY;
+    if (c) {
+        *rail = c->rail == TRK_TEXT_RIGHT ? TRK_RIGHT : TRK_LEFT;
+        *k = c->stiffness;
+        *damping = c->damping;
+        memcpy(x, c->play.at, (size_t)n * sizeof *x);
+        memcpy(play, c->play.value, (size_t)n * sizeof *play);
+    }
+    t->checks = n;
+    t->check_rail = rail;
+    t->check_k = k;
+    t->check_c = damping;
+    t->check_x = x;
+    t->check_play = play;
+    return NULL;
+}
+
 static const char *lay_curve(struct trk *t, const struct trk_text *in)
 {
     double *x = numbers(t, in->curve.n), *curvature = numbers(t, in->curve.n);
@@ -208,7 +234,7 @@ const char *layout_track(struct trk *t, const struct trk_text *in)
     if (t->sleepers < 2 || fabs(bays - (double)t->sleepers) > WHOLE)
         return reason("length %g m is not a whole number, two or more, of sleeper spacings of %g m", in->length, in->sleeper.spacing);
     if ((why = lay_rails(t, in)) || (why = lay_sleepers(t, in)) || (why = lay_ballast(t, in)) || (why = lay_pads(t, in)) ||
-        (why = lay_curve(t, in)))
+        (why = lay_check_rail(t, in)) || (why = lay_curve(t, in)))
         return why;
     return number_dofs(t);
 }
