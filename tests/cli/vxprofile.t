@@ -56,7 +56,7 @@ ok $? "turnout, through route: the nose is on the right"
 # The same circle of 100 mm in metres, in millimetres, and as measured towards the track's centre with z up.
 awk 'BEGIN {for (y = -0.05; y < 0.0501; y += 0.0005) printf "%.9f %.9f\n", y, 0.1 - sqrt(0.01 - y * y)}' >"$tmp/m.txt"
 awk '{printf "%.6f %.6f\n", 1e3 * $1, 1e3 * $2}' "$tmp/m.txt" >"$tmp/mm.txt"
-awk '{print -$1, -$2}' "$tmp/m.txt" >"$tmp/turned.txt"
+awk '{printf "%.9f %.9f\n", -$1, -$2}' "$tmp/m.txt" >"$tmp/turned.txt"
 $bin/vxprofile --part rail --unit m --set gauge_depth=0.01 "$tmp/m.txt" -o "$tmp/m.prof" &&
     $bin/vxprofile --part rail --unit mm --set gauge_depth=0.01 "$tmp/mm.txt" -o "$tmp/mm.prof" &&
     $bin/vxprofile --part rail --unit m --set gauge_depth=0.01 --set mirror_y=true --set mirror_z=true "$tmp/turned.txt" -o "$tmp/turned.prof"
