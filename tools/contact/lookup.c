@@ -11,7 +11,7 @@
 
 #include <math.h>
 
-#define BRANCH 4e-3           /* m */
+#define BRANCH 8e-3           /* m; the edge of a wing rail moves 6 mm between sections 0.1 m apart */
 
 enum { CORNERS = 8 };         /* bit 0 u, bit 1 yaw, bit 2 station */
 
