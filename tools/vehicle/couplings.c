@@ -3,7 +3,9 @@
  * The ends of a coupling between bodies A and B meet at P when at rest.  With d = P - cg and turn t = (roll, pitch, yaw) of a body, its
  * end moves by u = (x, y, z) + t x d.  The elongation e = uB - uA gives, on B and reversed on A,
  *
- *   F = -(k e + c e') - preload,   turned with the mean of the two bodies:  F + m x F,  m = (tA + tB)/2.
+ *   F = -(k e + c e') - preload,
+ *
+ * in axes turned with the mean of the two bodies, m = (tA + tB)/2: e and e' less m x e and m x e' there, and back F + m x F.
  *
  * Both forces act midway between the displaced ends, rB = d + t x d - e/2 and rA = d + t x d + e/2 from the displaced centres of gravity, so
  * forces and moments cancel in pairs about any axis.  The preload on a displaced point and its turning with the bodies are the geometric
@@ -66,13 +68,20 @@ double couplings_stop(const struct veh *v, int64_t c, double e)
     return e < 0 ? -force : force;
 }
 
-/* Force on the second body before it is turned. */
-static void coupling_law(const struct veh *v, int64_t c, const double e[3], const double ed[3], double F[3])
+/* Force on the second body, the law holding in axes turned by m. */
+static void coupling_law(const struct veh *v, int64_t c, const double m[3], const double e[3], const double ed[3], double F[3])
 {
+    double me[3], med[3], mF[3], f[3];
+
+    cross(m, e, me);
+    cross(m, ed, med);
     for (int k = 0; k < 3; k++)
-        F[k] = -v->stiffness[VEH_DOFS*c + k]*e[k] - v->damping[VEH_DOFS*c + k]*ed[k] - v->preload[3*c + k];
+        f[k] = -v->stiffness[VEH_DOFS*c + k]*(e[k] - me[k]) - v->damping[VEH_DOFS*c + k]*(ed[k] - med[k]) - v->preload[3*c + k];
     if (v->type[c] == VEH_STOP)
-        F[v->stop_axis[c]] -= couplings_stop(v, c, e[v->stop_axis[c]]);
+        f[v->stop_axis[c]] -= couplings_stop(v, c, e[v->stop_axis[c]] - me[v->stop_axis[c]]);
+    cross(m, f, mF);
+    for (int k = 0; k < 3; k++)
+        F[k] = f[k] + mF[k];
 }
 
 void couplings_force(const struct veh *v, const double *q, const double *qd, double *f)
@@ -82,17 +91,14 @@ void couplings_force(const struct veh *v, const double *q, const double *qd, dou
         end_move(v, c, 0, q, qd, &A);
         end_move(v, c, 1, q, qd, &B);
 
-        double e[3], ed[3], F[3], m[3], turned[3];
+        double e[3], ed[3], F[3], m[3];
         double share[3] = {0.5, v->bearing[c] == 0 ? 0 : v->bearing[c] == 1 ? 1 : 0.5, 0.5};    /* of A */
         for (int k = 0; k < 3; k++) {
             e[k] = B.u[k] - A.u[k];
             ed[k] = B.ud[k] - A.ud[k];
             m[k] = share[k]*A.turn[k] + (1 - share[k])*B.turn[k];
         }
-        coupling_law(v, c, e, ed, F);
-        cross(m, F, turned);
-        for (int k = 0; k < 3; k++)
-            F[k] += turned[k];
+        coupling_law(v, c, m, e, ed, F);
 
         double onA[3], onB[3], pair[3];
         cross(A.arm, F, onA);
