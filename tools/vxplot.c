@@ -19,7 +19,7 @@
 
 static const char usage[] =
     "vxplot [--figure NAME] [--size WxH] [--title TEXT] [--from X] [--to X]\n"
-    "       [--label TEXT]... [--mark X=TEXT]... [--station M] [--yaw RAD] [--u M]\n"
+    "       [--label TEXT]... [--mark X=TEXT]... [--station M] [--yaw RAD] [--lateral M]\n"
     "       [--pairs N] [-o OUT.png] FILE...\n"
     "vxplot --list";
 
@@ -44,7 +44,7 @@ static const struct cli_option options[] = {
     {.name = "mark", .type = CLI_LIST, .value = &opt.mark},
     {"station", CLI_NUM, &opt.station, ANY, 0, NULL},
     {"yaw", CLI_NUM, &opt.yaw, -1, 1, 0, NULL},
-    {"u", CLI_NUM, &opt.u, -1, 1, 0, NULL},
+    {"lateral", CLI_NUM, &opt.u, -1, 1, 0, NULL},
     {"pairs", CLI_INT, &opt.pairs, 1, 1000, 0, NULL},
     {.name = "list", .type = CLI_FLAG, .value = &opt.list},
     {.name = "o", .type = CLI_TEXT, .value = &opt.out},
@@ -194,7 +194,7 @@ static const struct figure {
 } figures[] = {
     {"receptance", "frf ...", figure_receptance, "magnitude with peaks, and phase"},
     {"sections", "prof", figure_sections, "cross-sections along the track"},
-    {"contact", "prof prof ctab", figure_contact, "wheel on rail with contact points, at --station --yaw --u"},
+    {"contact", "prof prof ctab", figure_contact, "wheel on rail with contact points, at --station --yaw --lateral"},
     {"pairs", "prof prof ctab", figure_pairs, "points of wheel and rail that touch, over all displacements"},
     {"radius", "ctab ctab", figure_radius, "rolling radius difference over lateral displacement"},
 };

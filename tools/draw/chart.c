@@ -1,6 +1,7 @@
 /* Filling a chart: lists that grow at their end, all memory in one list of blocks; and drawing it, part by part. */
 #include "tools/draw/chart.h"
 
+#include <ctype.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -68,19 +69,32 @@ double *chart_numbers(struct chart *c, int64_t n)
     return room(c, (size_t)n * sizeof(double));
 }
 
+/* A hyphen before a number that begins a word becomes a minus sign. */
+static void set_minus(char *to, size_t size, const char *from)
+{
+    size_t n = 0;
+
+    for (const char *p = from; *p && n + 4 < size; p++) {
+        if (*p == '-' && isdigit((unsigned char)p[1]) && (p == from || p[-1] == ' '))
+            n += (size_t)snprintf(to + n, size - n, "−");
+        else
+            to[n++] = *p;
+    }
+    to[n] = '\0';
+}
+
 const char *chart_words(struct chart *c, const char *format, ...)
 {
+    char plain[TEXT_MOST];
+    char *words = room(c, TEXT_MOST);
     va_list ap;
 
     va_start(ap, format);
-    int n = vsnprintf(NULL, 0, format, ap);
+    vsnprintf(plain, sizeof plain, format, ap);
     va_end(ap);
-    char *words = n < 0 ? NULL : room(c, (size_t)n + 1);
     if (!words)
         return "";
-    va_start(ap, format);
-    vsnprintf(words, (size_t)n + 1, format, ap);
-    va_end(ap);
+    set_minus(words, TEXT_MOST, plain);
     return words;
 }
 

@@ -13,7 +13,8 @@
 
 /* Colours that stay apart for every kind of colour vision, after Okabe and Ito 2008, darkest contrast first. */
 enum { CHART_BLUE = 0x0072b2, CHART_RED = 0xd55e00, CHART_GREEN = 0x009e73, CHART_BLACK = 0x000000, CHART_PURPLE = 0xcc79a7,
-       CHART_SKY = 0x56b4e9, CHART_ORANGE = 0xe69f00, CHART_GREY = 0x707070 };
+       CHART_SKY = 0x56b4e9, CHART_ORANGE = 0xe69f00,
+       CHART_WINE = 0x882255, CHART_GREY = 0x707070 };
 enum { CHART_COLOURS = 7 };
 unsigned chart_colour(int k);              /* the k-th of the seven, in turn */
 

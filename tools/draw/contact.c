@@ -2,12 +2,13 @@
 
 #include <math.h>
 
+#include "tools/draw/scale.h"
 #include "tools/draw/sections.h"
 
 static const double head = 0.040;          /* m, half width of what is shown of a rail: a head is 72 mm wide */
 static const double normal = 0.008;        /* m, drawn length of a normal to either side */
 static const double apart = 0.035;         /* m, wheel above rail in the picture of pairs */
-static const double words = 0.007, clear = 0.002;   /* m, between the names of pairs, above the wheel */
+static const double name_room = 0.006, clear = 0.0015;   /* m, between the names of pairs, above the wheel */
 static const double touching = 1e-6;       /* m, gap of a contact called touching */
 
 int64_t contact_nearest(int64_t n, const double *x, double v)
@@ -81,18 +82,18 @@ static void contact_point(struct chart *c, struct chart_panel *panel, const doub
     const char *open = gap < touching ? "" : chart_words(c, ", gap %.2f mm", gap * 1e3);
     const char *label = chart_words(c, "%d: y %.1f mm, angle %.2f°, r %.2f mm%s", k + 1, row[CTAB_RAIL_Y] * 1e3,
                                     angle * 180 / M_PI, row[CTAB_RADIUS] * 1e3, open);
-    chart_add_series(c, panel, NULL, 2, x, y)->colour = CHART_PURPLE;
+    chart_add_series(c, panel, NULL, 2, x, y)->colour = CHART_WINE;
     double *point = chart_numbers(c, 2);
     if (!point)
         return;
     point[0] = row[CTAB_RAIL_Y];
     point[1] = row[CTAB_RAIL_Z];
     struct chart_series *s = chart_add_series(c, panel, label, 1, point, point + 1);
-    s->colour = CHART_PURPLE;
+    s->colour = CHART_WINE;
     s->width = 0;
     s->mark = gap < touching ? CANVAS_DISC : CANVAS_RING;
     s->size = 7;
-    chart_add_note(c, panel, x[1], y[1], chart_words(c, "%d", k + 1))->colour = CHART_PURPLE;
+    chart_add_note(c, panel, x[1], y[1], chart_words(c, "%d", k + 1))->colour = CHART_WINE;
 }
 
 static struct chart_panel *begin(struct chart *c)
@@ -128,20 +129,30 @@ const char *contact_chart(struct chart *c, const struct prof *wheel, const struc
     }
     panel->y.lo = -0.012;
     panel->y.hi = 0.030;
-    c->title = chart_words(c, "u %.2f mm, yaw %.2f mrad%s", t->u[k] * 1e3, t->yaw[j] * 1e3,
+    c->title = chart_words(c, "Contact at u = %.2f mm, yaw %.2f mrad%s", t->u[k] * 1e3, t->yaw[j] * 1e3,
                            t->stations > 1 ? chart_words(c, ", station %.3f m", t->station[i]) : "");
     return c->why;
 }
 
-/* z of the wheel's outline at its y, straight between its points. */
-static double wheel_z(const struct prof *wheel, double y)
+/* a [points of the wheel], z or slope, at y, straight between the points. */
+static double outline_at(const struct prof *wheel, const double *a, double y)
 {
     int64_t n = wheel->poly_first[1], i = 1;
 
     while (i < n - 1 && wheel->y[i] < y)
         i++;
-    double part = (y - wheel->y[i - 1]) / (wheel->y[i] - wheel->y[i - 1]);
-    return wheel->z[i - 1] + part * (wheel->z[i] - wheel->z[i - 1]);
+    return a[i - 1] + (y - wheel->y[i - 1]) / (wheel->y[i] - wheel->y[i - 1]) * (a[i] - a[i - 1]);
+}
+
+/* Words at a point of the wheel's outline raised to (y, z), on the side of its material. */
+static void name_pair(struct chart *c, struct chart_panel *panel, double y, double z, double slope, const char *words)
+{
+    double ny = slope / hypot(1, slope), nz = -1 / hypot(1, slope);
+    struct chart_note *note = chart_add_note(c, panel, y + clear * ny, z + clear * nz, words);
+
+    note->fixed = 1;
+    note->across = (1 - ny) / 2;
+    note->up = (1 + nz) / 2;
 }
 
 /* Lines x, y [3 us] from wheel to rail for the contact that touches at every `every`-th u, NaN between them; u is named at
@@ -150,24 +161,24 @@ static int64_t join_pairs(struct chart *c, struct chart_panel *panel, const stru
                           int64_t j, int64_t every, double shift, double *x, double *y)
 {
     int64_t n = 0;
-    double named = -INFINITY;
+    double at[2] = {INFINITY, INFINITY};
 
     for (int64_t k = (t->us - 1) / 2 % every; k < t->us; k += every) {
         int count;
         const double *row = node(t, i, j, k, &count);
         if (count == 0)
             continue;
+        double wz = outline_at(wheel, wheel->z, row[CTAB_WHEEL_Y]);
         x[n] = row[CTAB_RAIL_Y];
         y[n] = row[CTAB_RAIL_Z];
         x[n + 1] = row[CTAB_WHEEL_Y] + shift;
-        y[n + 1] = wheel_z(wheel, row[CTAB_WHEEL_Y]) - apart;
+        y[n + 1] = wz - apart;
         x[n + 2] = y[n + 2] = NAN;
-        if (fabs(x[n + 1] - named) > words) {
-            named = x[n + 1];
-            struct chart_note *note = chart_add_note(c, panel, x[n + 1], y[n + 1] - clear,
-                                                     chart_words(c, "%.1f", t->u[k] * 1e3));
-            note->fixed = 1;
-            note->across = 0.5;
+        if (hypot(x[n + 1] - at[0], y[n + 1] - at[1]) > name_room) {
+            at[0] = x[n + 1];
+            at[1] = y[n + 1];
+            name_pair(c, panel, at[0], at[1], outline_at(wheel, wheel->slope, row[CTAB_WHEEL_Y]),
+                      chart_words(c, "%.3g", t->u[k] * 1e3));
         }
         n += 3;
     }
@@ -182,7 +193,8 @@ const char *contact_pairs_chart(struct chart *c, const struct prof *wheel, const
     if (why)
         return why;
     int64_t i = contact_nearest(t->stations, t->station, at->station), j = contact_nearest(t->yaws, t->yaw, at->yaw);
-    int64_t every = t->us > pairs ? t->us / pairs : 1;
+    double du = t->us > 1 ? t->u[1] - t->u[0] : 1, distance = scale_step((double)t->us * du, pairs);
+    int64_t every = distance > du ? llround(distance / du) : 1;
     double shift = wheel->position - rail->position;
     double *x = chart_numbers(c, 3 * t->us), *y = chart_numbers(c, 3 * t->us);
     if (!x || !y)
@@ -192,12 +204,12 @@ const char *contact_pairs_chart(struct chart *c, const struct prof *wheel, const
     wheel_outline(c, panel, wheel, shift, -apart);
     int64_t n = join_pairs(c, panel, wheel, t, i, j, every, shift, x, y);
     struct chart_series *s = chart_add_series(
-        c, panel, chart_words(c, "contact pairs, u every %.2f mm, named at the wheel", t->us > 1 ? (double)every * (t->u[1] - t->u[0]) * 1e3 : 0), n, x, y);
-    s->colour = CHART_PURPLE;
+        c, panel, chart_words(c, "contact pairs, u every %.3g mm, named at the wheel", (double)every * du * 1e3), n, x, y);
+    s->colour = CHART_WINE;
     s->width = 0.7;
     panel->y.lo = -apart - 0.012;
     panel->y.hi = 0.016;
-    c->title = chart_words(c, "Contact pairs, yaw %.2f mrad%s", t->yaw[j] * 1e3,
+    c->title = chart_words(c, "Contact pairs at yaw %.2f mrad%s", t->yaw[j] * 1e3,
                            t->stations > 1 ? chart_words(c, ", station %.3f m", t->station[i]) : "");
     return c->why;
 }

@@ -43,11 +43,11 @@ const char *radius_chart(struct chart *c, const struct ctab *left, const struct 
     for (int64_t k = 0; k < nl; k++)
         if (ul[k] >= ur[0] && ul[k] <= ur[nr - 1]) {
             y[n] = ul[k];
-            difference[n++] = rl[k] - between(nr, ur, rr, ul[k]);
+            difference[n++] = between(nr, ur, rr, ul[k]) - rl[k];
         }
     c->x = (struct chart_axis){.label = "lateral displacement of the wheelset y (mm)", .factor = 1e3};
-    struct chart_panel *panel = chart_add_panel(c, "left − right (mm)", 1e3);
-    chart_add_series(c, panel, "rolling radius difference, left − right", n, y, difference)->colour = CHART_BLACK;
+    struct chart_panel *panel = chart_add_panel(c, "right − left (mm)", 1e3);
+    chart_add_series(c, panel, "rolling radius difference, right − left", n, y, difference)->colour = CHART_BLACK;
     panel = chart_add_panel(c, "radius (mm)", 1e3);
     chart_add_series(c, panel, "left wheel", nl, ul, rl);
     chart_add_series(c, panel, "right wheel", nr, ur, rr)->dash = CANVAS_DASHED;

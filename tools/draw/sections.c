@@ -3,6 +3,7 @@
 #include <math.h>
 
 static const double space = 0.012;     /* m, between the cells */
+static const double rim = 0.005;       /* m, of a wheel drawn above the highest point of its outline */
 static const double words = 0.018;     /* m, above a section, for its station */
 
 /* colour over white. */
@@ -33,7 +34,7 @@ void sections_polyline(struct chart *c, struct chart_panel *panel, const struct 
     /* the material of a rail lies below its outline, that of a wheel above */
     px[n] = px[n - 1];
     px[n + 1] = px[0];
-    py[n] = py[n + 1] = p->part == 'w' ? highest : deepest;
+    py[n] = py[n + 1] = p->part == 'w' ? highest - rim : deepest;
     struct chart_series *body = chart_add_series(c, panel, NULL, n + 2, px, py);
     body->filled = 1;
     body->colour = tint(colour);
@@ -115,18 +116,33 @@ static void scale_bar(struct chart *c, struct chart_panel *panel, double y, doub
     note->across = 0.5;
 }
 
+/* A single section: on axes. */
+static const char *one_section(struct chart *c, const struct prof *p, int64_t section)
+{
+    c->x = (struct chart_axis){.label = "lateral position y (mm)", .factor = 1e3};
+    struct chart_panel *panel = chart_add_panel(c, "z down (mm)", 1e3);
+    panel->y.down = 1;
+    for (int64_t k = 0; k < p->polys; k++)
+        if (p->poly_section[k] == section)
+            sections_polyline(c, panel, p, k, 0, 0, p->body[p->poly_body[k]]);
+    return c->why;
+}
+
 const char *sections_chart(struct chart *c, const struct prof *p, double from, double to, double shape)
 {
     int64_t pick[SECTIONS_MOST];
     int n = choose(p, from, to, pick);
+    uint64_t named = 0;                /* bodies in the legend */
 
+    c->equal = 1;
     if (n == 0)
         return reason("no section between %g and %g m", from, to);
+    if (n == 1)
+        return one_section(c, p, pick[0]);
     struct cell e = extent(p, pick, n);
     double w = e.right - e.left + space, h = e.bottom - e.top + words + space;
     int columns = best_columns(n, w, h, shape), rows = (n + columns - 1) / columns;
-    uint64_t named = 0;
-    c->equal = c->bare = 1;
+    c->bare = 1;
     struct chart_panel *panel = chart_add_panel(c, NULL, 1);
     panel->y.down = 1;
     for (int k = 0; k < n; k++) {
@@ -138,12 +154,10 @@ const char *sections_chart(struct chart *c, const struct prof *p, double from, d
             sections_polyline(c, panel, p, j, y, z, named & bit ? NULL : p->body[p->poly_body[j]]);
             named |= bit;
         }
-        if (p->sections > 1) {
-            struct chart_note *note = chart_add_note(c, panel, y + (e.left + e.right) / 2, z + e.top - 0.004,
-                                                     chart_words(c, "%.2f m", p->station[pick[k]]));
-            note->fixed = 1;
-            note->across = 0.5;
-        }
+        struct chart_note *note = chart_add_note(c, panel, y + (e.left + e.right) / 2, z + e.top - 0.004,
+                                                 chart_words(c, "%.2f m", p->station[pick[k]]));
+        note->fixed = 1;
+        note->across = 0.5;
     }
     scale_bar(c, panel, columns * w - space, rows * h);
     return c->why;
