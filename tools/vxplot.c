@@ -19,7 +19,7 @@
 
 static const char usage[] =
     "vxplot [--figure NAME] [--size WxH] [--title TEXT] [--from X] [--to X]\n"
-    "       [--label TEXT]... [--mark X=TEXT]... [--station M] [--yaw RAD] [--lateral M]\n"
+    "       [--label TEXT]... [--mark X=TEXT]... [--station M] [--yaw RAD] [--u M]\n"
     "       [--pairs N] [-o OUT.png] FILE...\n"
     "vxplot --list";
 
@@ -27,25 +27,25 @@ static struct {
     const char *figure, *size, *title, *out;
     double from, to;                     /* SI unit of x */
     struct cli_list label, mark;
-    double station, yaw, u;              /* m, rad, m */
+    struct contact_place at;
     int64_t pairs;
     int list;
 } opt = {.size = "1600x900", .from = -INFINITY, .to = INFINITY, .pairs = 40};
 
-#define ANY (-1e9), 1e9
+#define ANY .lo = -1e9, .hi = 1e9
 
 static const struct cli_option options[] = {
     {.name = "figure", .type = CLI_TEXT, .value = &opt.figure},
     {.name = "size", .type = CLI_TEXT, .value = &opt.size},
     {.name = "title", .type = CLI_TEXT, .value = &opt.title},
-    {"from", CLI_NUM, &opt.from, ANY, 0, NULL},
-    {"to", CLI_NUM, &opt.to, ANY, 0, NULL},
+    {.name = "from", .type = CLI_NUM, .value = &opt.from, ANY},
+    {.name = "to", .type = CLI_NUM, .value = &opt.to, ANY},
     {.name = "label", .type = CLI_LIST, .value = &opt.label},
     {.name = "mark", .type = CLI_LIST, .value = &opt.mark},
-    {"station", CLI_NUM, &opt.station, ANY, 0, NULL},
-    {"yaw", CLI_NUM, &opt.yaw, -1, 1, 0, NULL},
-    {"lateral", CLI_NUM, &opt.u, -1, 1, 0, NULL},
-    {"pairs", CLI_INT, &opt.pairs, 1, 1000, 0, NULL},
+    {.name = "station", .type = CLI_NUM, .value = &opt.at.station, ANY},
+    {.name = "yaw", .type = CLI_NUM, .value = &opt.at.yaw, .lo = -1, .hi = 1},
+    {.name = "u", .letter = 1, .type = CLI_NUM, .value = &opt.at.u, .lo = -1, .hi = 1},
+    {.name = "pairs", .type = CLI_INT, .value = &opt.pairs, .lo = 1, .hi = 1000},
     {.name = "list", .type = CLI_FLAG, .value = &opt.list},
     {.name = "o", .type = CLI_TEXT, .value = &opt.out},
     {0},
@@ -146,14 +146,13 @@ static void contacts(const struct input *in, int pairs)
     struct chart c;
     struct prof wheel, rail;
     struct ctab table;
-    const struct contact_place at = {opt.station, opt.yaw, opt.u};
 
     cli_check(in->path[0], prof_read(&wheel, &in->file[0]));
     cli_check(in->path[1], prof_read(&rail, &in->file[1]));
     cli_check(in->path[2], ctab_read(&table, &in->file[2]));
     chart_begin(&c);
-    cli_check(in->path[2], pairs ? contact_pairs_chart(&c, &wheel, &rail, &table, &at, (int)opt.pairs)
-                                 : contact_chart(&c, &wheel, &rail, &table, &at));
+    cli_check(in->path[2], pairs ? contact_pairs_chart(&c, &wheel, &rail, &table, &opt.at, (int)opt.pairs)
+                                 : contact_chart(&c, &wheel, &rail, &table, &opt.at));
     window(&c.x, c.x.lo, c.x.hi);
     paint(&c, in);
     prof_free(&wheel);
@@ -179,7 +178,7 @@ static void figure_radius(const struct input *in)
     cli_check(in->path[0], ctab_read(&left, &in->file[0]));
     cli_check(in->path[1], ctab_read(&right, &in->file[1]));
     chart_begin(&c);
-    cli_check(in->path[0], radius_chart(&c, &left, &right, opt.station, opt.yaw));
+    cli_check(in->path[0], radius_chart(&c, &left, &right, opt.at.station, opt.at.yaw));
     window(&c.x, left.u[0], left.u[left.us - 1]);
     paint(&c, in);
     ctab_free(&left);
@@ -194,7 +193,7 @@ static const struct figure {
 } figures[] = {
     {"receptance", "frf ...", figure_receptance, "magnitude with peaks, and phase"},
     {"sections", "prof", figure_sections, "cross-sections along the track"},
-    {"contact", "prof prof ctab", figure_contact, "wheel on rail with contact points, at --station --yaw --lateral"},
+    {"contact", "prof prof ctab", figure_contact, "wheel on rail with contact points, at --station --yaw --u"},
     {"pairs", "prof prof ctab", figure_pairs, "points of wheel and rail that touch, over all displacements"},
     {"radius", "ctab ctab", figure_radius, "rolling radius difference over lateral displacement"},
 };

@@ -146,9 +146,25 @@ void canvas_line(struct canvas *c, int n, const double *xy, double width, enum c
     glEnd();
 }
 
+static void box_about(int n, const double *xy)
+{
+    double left = xy[0], right = xy[0], top = xy[1], bottom = xy[1];
+
+    for (int i = 1; i < n; i++) {
+        left = fmin(left, xy[2 * i]);
+        right = fmax(right, xy[2 * i]);
+        top = fmin(top, xy[2 * i + 1]);
+        bottom = fmax(bottom, xy[2 * i + 1]);
+    }
+    glRectd(left - 1, top - 1, right + 1, bottom + 1);
+}
+
 /* A fan of triangles turns one bit of the stencil over: it is set where an odd number of them lies. */
 void canvas_fill(struct canvas *c, int n, const double *xy)
 {
+    (void)c;
+    if (n < 3)
+        return;
     glEnable(GL_STENCIL_TEST);
     glColorMask(0, 0, 0, 0);
     glStencilFunc(GL_ALWAYS, 0, 1);
@@ -160,7 +176,7 @@ void canvas_fill(struct canvas *c, int n, const double *xy)
     glColorMask(1, 1, 1, 1);
     glStencilFunc(GL_EQUAL, 1, 1);
     glStencilOp(GL_ZERO, GL_ZERO, GL_ZERO);
-    glRectd(0, 0, c->width, c->height);
+    box_about(n, xy);
     glDisable(GL_STENCIL_TEST);
 }
 

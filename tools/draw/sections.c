@@ -4,7 +4,8 @@
 
 static const double space = 0.012;     /* m, between the cells */
 static const double rim = 0.005;       /* m, of a wheel drawn above the highest point of its outline */
-static const double words = 0.018;     /* m, above a section, for its station */
+static const double words = 11;        /* pt, above a section, for its station */
+static const double paper = 440;       /* pt, width of the grid in print */
 
 /* colour over white. */
 static unsigned tint(unsigned colour)
@@ -82,24 +83,30 @@ static struct cell extent(const struct prof *p, const int64_t *pick, int n)
     return e;
 }
 
-/* The number of columns that draws n cells of w by h largest on a picture of this shape. */
-static int best_columns(int n, double w, double h, double shape)
+struct grid {
+    int columns, rows;
+    double w, h;            /* m, of a cell */
+    double point;           /* m of profile in a point on paper */
+};
+
+/* The grid that draws n cells with profiles of w by h largest on a picture of this shape, words above each. */
+static struct grid best_grid(int n, double w, double h, double shape)
 {
-    int best = 1;
-    double largest = 0;
+    struct grid best = {0};
 
     for (int columns = 1; columns <= n; columns++) {
         int rows = (n + columns - 1) / columns;
-        double size = fmin(shape / (columns * w), 1 / (rows * h));
-        if (size > largest * (1 + 1e-9)) {
-            largest = size;
-            best = columns;
-        }
+        /* width and height of the paper hold columns and rows, whichever is tighter */
+        double across = columns * w / paper, down = rows * h / (paper / shape - rows * words);
+        double point = down < 0 ? INFINITY : fmax(across, down);
+        if (columns == 1 || point < best.point * (1 - 1e-9))
+            best = (struct grid){columns, rows, w, h + words * point, point};
     }
     return best;
 }
 
-static void scale_bar(struct chart *c, struct chart_panel *panel, double y, double z)
+/* 50 mm long, its right end at (y, z). */
+static void scale_bar(struct chart *c, struct chart_panel *panel, double y, double z, double point)
 {
     double *bar = chart_numbers(c, 4);
 
@@ -111,15 +118,16 @@ static void scale_bar(struct chart *c, struct chart_panel *panel, double y, doub
     struct chart_series *s = chart_add_series(c, panel, NULL, 2, bar, bar + 2);
     s->colour = CHART_BLACK;
     s->width = 2;
-    struct chart_note *note = chart_add_note(c, panel, y - 0.025, z - 0.004, "50 mm");
+    struct chart_note *note = chart_add_note(c, panel, y, z - 3 * point, "50 mm");
     note->fixed = 1;
-    note->across = 0.5;
+    note->across = 1;
 }
 
 /* A single section: on axes. */
 static const char *one_section(struct chart *c, const struct prof *p, int64_t section)
 {
-    c->x = (struct chart_axis){.label = "lateral position y (mm)", .factor = 1e3};
+    const struct cell e = extent(p, &section, 1);
+    c->x = (struct chart_axis){.label = "lateral position y (mm)", .factor = 1e3, .lo = e.left - space, .hi = e.right + space};
     struct chart_panel *panel = chart_add_panel(c, "z down (mm)", 1e3);
     panel->y.down = 1;
     for (int64_t k = 0; k < p->polys; k++)
@@ -140,13 +148,12 @@ const char *sections_chart(struct chart *c, const struct prof *p, double from, d
     if (n == 1)
         return one_section(c, p, pick[0]);
     struct cell e = extent(p, pick, n);
-    double w = e.right - e.left + space, h = e.bottom - e.top + words + space;
-    int columns = best_columns(n, w, h, shape), rows = (n + columns - 1) / columns;
+    struct grid g = best_grid(n, e.right - e.left + space, e.bottom - e.top + space, shape * 1.2);
     c->bare = 1;
     struct chart_panel *panel = chart_add_panel(c, NULL, 1);
     panel->y.down = 1;
     for (int k = 0; k < n; k++) {
-        double y = k % columns * w - e.left, z = k / columns * h - e.top + words;
+        double y = k % g.columns * g.w - e.left, z = k / g.columns * g.h - e.top;
         for (int64_t j = 0; j < p->polys; j++) {
             if (p->poly_section[j] != pick[k])
                 continue;
@@ -154,11 +161,12 @@ const char *sections_chart(struct chart *c, const struct prof *p, double from, d
             sections_polyline(c, panel, p, j, y, z, named & bit ? NULL : p->body[p->poly_body[j]]);
             named |= bit;
         }
-        struct chart_note *note = chart_add_note(c, panel, y + (e.left + e.right) / 2, z + e.top - 0.004,
+        struct chart_note *note = chart_add_note(c, panel, y + e.left, z + e.top - 3 * g.point,
                                                  chart_words(c, "%.2f m", p->station[pick[k]]));
         note->fixed = 1;
-        note->across = 0.5;
     }
-    scale_bar(c, panel, columns * w - space, rows * h);
+    panel->y.lo = -words * g.point;
+    panel->y.hi = g.rows * g.h + words * g.point / 2;
+    scale_bar(c, panel, g.columns * g.w - space, g.rows * g.h, g.point);
     return c->why;
 }
