@@ -1,0 +1,138 @@
+#include "tools/draw/runs.h"
+
+static const char *const side_name[] = {"left", "right"};
+static const char *const place_name[] = {"left", "middle", "right"};
+
+/* Element `index` of each record of a channel, NULL with a reason in c->why where it is not in the run. */
+static double *channel(struct chart *c, const struct run *r, enum run_channel ch, int64_t index)
+{
+    int64_t count = run_count(r, &run_channels[ch]);
+    double *x = r->channel[ch] ? chart_numbers(c, r->records) : NULL;
+
+    if (!r->channel[ch])
+        c->why = reason("the run holds no %s: record the group %s", run_channels[ch].name,
+                        run_group_name[run_channels[ch].group]);
+    if (!x)
+        return NULL;
+    for (int64_t i = 0; i < r->records; i++)
+        x[i] = run_channels[ch].type == VXF_F64 ? ((const double *)r->channel[ch])[i * count + index]
+                                                : (double)((const float *)r->channel[ch])[i * count + index];
+    return x;
+}
+
+static double *stations(struct chart *c, const struct run *r, double behind)
+{
+    double *x = channel(c, r, RUN_STATION, 0);
+
+    for (int64_t i = 0; x && i < r->records; i++)
+        x[i] += behind;
+    return x;
+}
+
+/* One force of a wheelset, a panel for each side. */
+static const char *wheel_force(struct chart *c, const struct run *r, const char *label, int64_t wheelset, enum run_channel ch,
+                               const char *name)
+{
+    if (wheelset > r->wheelsets)
+        return reason("wheelset %lld: the train has %lld", (long long)wheelset, (long long)r->wheelsets);
+    if (c->panels == 0) {
+        c->x.label = chart_words(c, "station of wheelset %lld (m)", (long long)wheelset);
+        for (int side = 0; side < 2; side++)
+            chart_add_panel(c, chart_words(c, "%s, %s (kN)", name, side_name[side]), 1e-3);
+    }
+    double *x = stations(c, r, r->wheelset_x[wheelset - 1]);
+    for (int side = 0; x && side < 2; side++) {
+        double *force = channel(c, r, ch, 2 * (wheelset - 1) + side);
+        if (force)
+            chart_add_series(c, &c->panel[side], label, r->records, x, force);
+    }
+    return c->why;
+}
+
+const char *runs_vertical(struct chart *c, const struct run *r, const char *label, const struct runs_choice *choice)
+{
+    return wheel_force(c, r, label, choice->wheelset, RUN_Q, "Q");
+}
+
+const char *runs_lateral(struct chart *c, const struct run *r, const char *label, const struct runs_choice *choice)
+{
+    return wheel_force(c, r, label, choice->wheelset, RUN_Y, "Y");
+}
+
+static int64_t find_sleeper(const struct run *r, int64_t number)
+{
+    for (int64_t k = 0; k < r->sleepers; k++)
+        if (r->sleeper_number[k] == number)
+            return k;
+    return -1;
+}
+
+/* "left", or "label, left" */
+static const char *joined(struct chart *c, const char *label, const char *part)
+{
+    return label ? chart_words(c, "%s, %s", label, part) : part;
+}
+
+/* A force at the sleepers chosen, a panel for each, `parts` lines [part][sleeper] in each. */
+static const char *at_sleepers(struct chart *c, const struct run *r, const char *label, const struct runs_choice *choice,
+                               enum run_channel ch, const char *name, const char *const *part, int parts)
+{
+    if (c->panels == 0) {
+        c->x.label = "station of the front wheelset (m)";
+        for (int k = 0; k < choice->sleepers; k++)
+            chart_add_panel(c, chart_words(c, "%s %lld (kN)", name, (long long)choice->sleeper[k]), 1e-3);
+    }
+    double *x = stations(c, r, 0);
+    for (int k = 0; x && k < choice->sleepers; k++) {
+        int64_t sleeper = find_sleeper(r, choice->sleeper[k]);
+        if (sleeper < 0)
+            return reason("no sleeper has number %lld", (long long)choice->sleeper[k]);
+        for (int p = 0; p < parts; p++) {
+            double *force = channel(c, r, ch, p * r->sleepers + sleeper);
+            if (force)
+                chart_add_series(c, &c->panel[k], joined(c, label, part[p]), r->records, x, force);
+        }
+    }
+    return c->why;
+}
+
+const char *runs_pads(struct chart *c, const struct run *r, const char *label, const struct runs_choice *choice)
+{
+    return at_sleepers(c, r, label, choice, RUN_PAD, "sleeper", side_name, 2);
+}
+
+const char *runs_ballast(struct chart *c, const struct run *r, const char *label, const struct runs_choice *choice)
+{
+    return at_sleepers(c, r, label, choice, RUN_BALLAST_F, "sleeper", place_name, 3);
+}
+
+/* A largest force over sleeper number, a line for each part. */
+static const char *along(struct chart *c, const struct run *r, const char *label, enum run_extreme what, const char *name,
+                         const char *const *part, int parts)
+{
+    double *number = chart_numbers(c, r->sleepers);
+
+    if (!r->extreme[what])
+        return reason("the run holds no %s: it is not complete", run_extremes[what].name);
+    if (c->panels == 0) {
+        c->x.label = "sleeper number";
+        chart_add_panel(c, name, 1e-3);
+    }
+    for (int64_t k = 0; number && k < r->sleepers; k++)
+        number[k] = (double)r->sleeper_number[k];
+    for (int p = 0; number && p < parts; p++)
+        chart_add_series(c, &c->panel[0], joined(c, label, part[p]), r->sleepers, number, r->extreme[what] + p * r->sleepers);
+    return c->why;
+}
+
+const char *runs_max_pads(struct chart *c, const struct run *r, const char *label, const struct runs_choice *choice)
+{
+    (void)choice;
+    return along(c, r, label, RUN_MAX_PAD, "largest force on the sleeper (kN)", side_name, 2);
+}
+
+const char *runs_max_ballast(struct chart *c, const struct run *r, const char *label, const struct runs_choice *choice)
+{
+    (void)choice;
+    return along(c, r, label, RUN_MAX_BALLAST, "largest force on the ballast (kN)", place_name, 3);
+}
