@@ -66,7 +66,8 @@ static void scale_axis(struct scale *s, const struct chart_axis *a, double lo, d
     lo *= factor;
     hi *= factor;
     if (widen) {
-        air(&lo, &hi, a->log);
+        if (a->step <= 0)
+            air(&lo, &hi, a->log);
         scale_widen(&lo, &hi, a->log, a->step, most);
     }
     scale_set(s, lo, hi, a->log, a->step, most);

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-static const double clear = 4;          /* pt, from the point to its words */
+static const double clear = 4, inside = 2;   /* pt, from the point to its words, from them to the frame */
 static const int word_cost = 1000, frame_cost = 500;   /* against one for each piece of line covered */
 
 /* The straight piece from a to b meets the box (Liang and Barsky 1984). */
@@ -33,12 +33,13 @@ static int overlap(const struct box *a, const struct box *b)
 /* How much words in r would cover: pieces of line of panel p, words placed before, the frame. */
 static int cost(const struct layout *l, const struct chart *c, int p, const struct box *r, int placed, const struct box *before)
 {
-    const struct box *b = &l->box[p];
+    const double in = inside * l->point;
+    const struct box *f = &l->box[p], b = {f->x + in, f->y + in, f->w - 2 * in, f->h - 2 * in};
     int sum = 0;
 
     for (int k = 0; k < placed; k++)
         sum += overlap(r, &before[k]) ? word_cost : 0;
-    if (r->x < b->x || r->y < b->y || r->x + r->w > b->x + b->w || r->y + r->h > b->y + b->h)
+    if (r->x < b.x || r->y < b.y || r->x + r->w > b.x + b.w || r->y + r->h > b.y + b.h)
         sum += frame_cost;
     for (const struct chart_series *s = c->panel[p].series; s; s = s->next) {
         double last[2] = {NAN, NAN}, px[2];

@@ -4,7 +4,7 @@
 #include <string.h>
 
 enum { PEAKS = 6 };
-static const double prominence = 1.05;     /* of a peak worth its frequency on the chart */
+static const double prominence = 1.15;     /* falls to both sides of a peak whose frequency is written */
 
 int receptance_peaks(int64_t n, const double *a, double ratio, int most, int64_t *peak)
 {
@@ -31,7 +31,6 @@ int receptance_peaks(int64_t n, const double *a, double ratio, int most, int64_t
 
 void receptance_begin(struct chart *c)
 {
-    chart_begin(c);
     c->x = (struct chart_axis){.label = "frequency (Hz)", .log = 1};
     struct chart_panel *magnitude = chart_add_panel(c, "receptance (m/N)", 1);
     magnitude->y.log = 1;

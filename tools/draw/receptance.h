@@ -5,9 +5,9 @@
 #include "formats/frf.h"
 #include "tools/draw/chart.h"
 
-void receptance_begin(struct chart *c);
+void receptance_begin(struct chart *c);    /* axes and panels of c, begun */
 
-/* Adds the curve of r, which must live until the chart is drawn; label NULL tells what was excited and where.  Where r holds
+/* Adds the curve of r, whose frequencies must live until the chart is drawn; label NULL tells what was excited and where.  Where r holds
  * the values by Hermite interpolation, they are added in grey. */
 const char *receptance_add(struct chart *c, const struct frf *r, const char *label);
 

@@ -165,8 +165,8 @@ const char *sections_chart(struct chart *c, const struct prof *p, double from, d
                                                  chart_words(c, "%.2f m", p->station[pick[k]]));
         note->fixed = 1;
     }
-    c->x.lo = 0;
-    c->x.hi = g.columns * g.w - space;
+    c->x.lo = -space / 2;
+    c->x.hi = g.columns * g.w - space / 2;
     panel->y.lo = -words * g.point;
     panel->y.hi = g.rows * g.h + words * g.point / 2;
     scale_bar(c, panel, g.columns * g.w - space, g.rows * g.h, g.point);

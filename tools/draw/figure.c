@@ -1,0 +1,194 @@
+#include "tools/draw/figure.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "tools/draw/limits.h"
+#include "tools/draw/radius.h"
+#include "tools/draw/receptance.h"
+#include "tools/draw/sections.h"
+#include "tools/draw/tables.h"
+
+static const char *make_receptance(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
+{
+    const char *why = NULL;
+
+    (void)o;
+    receptance_begin(c);
+    for (int k = 0; k < n && !why; k++) {
+        struct frf r;
+        why = frf_read(&r, in[k].file);
+        if (!why)
+            why = receptance_add(c, &r, in[k].label);
+    }
+    return why;
+}
+
+static const char *make_sections(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
+{
+    struct prof p;
+    const char *why = prof_read(&p, in[0].file);
+
+    (void)n;
+    if (why)
+        return why;
+    c->title = chart_words(c, "%s, %s side", p.name, p.side == 'l' ? "left" : "right");
+    return sections_chart(c, &p, o->from, o->to, o->shape);
+}
+
+/* Wheel, rail and table of a figure of contacts. */
+static const char *read_contacts(const struct figure_input *in, struct prof *wheel, struct prof *rail, struct ctab *t)
+{
+    const char *why = prof_read(wheel, in[0].file);
+
+    why = why ? why : prof_read(rail, in[1].file);
+    return why ? why : ctab_read(t, in[2].file);
+}
+
+static const char *make_contact(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
+{
+    struct prof wheel, rail;
+    struct ctab t;
+    const char *why = read_contacts(in, &wheel, &rail, &t);
+
+    (void)n;
+    return why ? why : contact_chart(c, &wheel, &rail, &t, &o->at);
+}
+
+static const char *make_pairs(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
+{
+    struct prof wheel, rail;
+    struct ctab t;
+    const char *why = read_contacts(in, &wheel, &rail, &t);
+
+    (void)n;
+    return why ? why : contact_pairs_chart(c, &wheel, &rail, &t, &o->at, o->pairs);
+}
+
+static const char *make_radius(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
+{
+    struct ctab left, right;
+    const char *why = ctab_read(&left, in[0].file);
+
+    (void)n;
+    why = why ? why : ctab_read(&right, in[1].file);
+    return why ? why : radius_chart(c, &left, &right, o->at.station, o->at.yaw);
+}
+
+static const char *make_rolling_radius(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
+{
+    (void)n;
+    (void)o;
+    return tables_rolling_radius(c, in[0].table);
+}
+
+static const char *make_table(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
+{
+    (void)n;
+    (void)o;
+    return tables_chart(c, in[0].table);
+}
+
+static const char *make_runs(runs_add *add, struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
+{
+    const char *why = NULL;
+
+    for (int k = 0; k < n && !why; k++) {
+        struct run r;
+        why = run_read(&r, in[k].file);
+        if (!why)
+            why = add(c, &r, in[k].label || n == 1 ? in[k].label : chart_words(c, "%s", r.name), &o->runs);
+    }
+    return why;
+}
+
+const struct figure figures[] = {
+    {"receptance", "frf ...", "magnitude with peaks, and phase", make_receptance, NULL},
+    {"sections", "prof", "cross-sections along the track", make_sections, NULL},
+    {"contact", "prof prof ctab", "wheel on rail and its contact points, at --station --yaw --u", make_contact, NULL},
+    {"pairs", "prof prof ctab", "points of wheel and rail that touch, over all displacements", make_pairs, NULL},
+    {"radius", "ctab ctab", "rolling radius difference over lateral displacement", make_radius, NULL},
+    {"radius", "text", "the same from vxcontact --rolling-radius, with roll", make_rolling_radius, NULL},
+    {"table", "text", "columns of numbers over the first, a panel for each unit", make_table, NULL},
+    {"vertical", "run ...", "vertical force Q of --wheelset, left and right", NULL, runs_vertical},
+    {"lateral", "run ...", "lateral force Y of --wheelset, left and right", NULL, runs_lateral},
+    {"pads", "run ...", "force of the railpads on each --sleeper", NULL, runs_pads},
+    {"ballast", "run ...", "force on the ballast under each --sleeper", NULL, runs_ballast},
+    {"max-pads", "run ...", "largest force of each railpad, over sleeper number", NULL, runs_max_pads},
+    {"max-ballast", "run ...", "largest force on the ballast under each sleeper", NULL, runs_max_ballast},
+    {0},
+};
+
+/* The k-th input is of the kind named by the first `length` bytes of word. */
+static int is_kind(const struct figure_input *in, const char *word, size_t length)
+{
+    const char *kind = in->file ? in->file->kind : "text";
+
+    return strlen(kind) == length && strncmp(kind, word, length) == 0;
+}
+
+static int takes(const struct figure *f, int n, const struct figure_input *in)
+{
+    const char *word = f->kinds, *before = word;
+
+    for (int k = 0; k < n; k++) {
+        if (strcmp(word, "...") == 0)
+            word = before;
+        size_t length = strcspn(word, " ");
+        if (!is_kind(&in[k], word, length))
+            return 0;
+        before = word;
+        word += length + (word[length] == ' ');
+    }
+    return n > 0 && (*word == '\0' || strcmp(word, "...") == 0);
+}
+
+int figure_known(const char *name)
+{
+    int known = 0;
+
+    for (const struct figure *f = figures; f->name; f++)
+        known |= strcmp(f->name, name) == 0;
+    return known;
+}
+
+const struct figure *figure_choose(const char *name, int n, const struct figure_input *in, const char **why)
+{
+    const struct figure *last = NULL;
+
+    for (const struct figure *f = figures; f->name; f++) {
+        if (name && strcmp(name, f->name) != 0)
+            continue;
+        if (takes(f, n, in))
+            return f;
+        last = f;
+    }
+    *why = last && name ? reason("figure %s takes: %s", name, last->kinds) : "no figure takes these kinds of file together";
+    return NULL;
+}
+
+/* The window asked for; beyond it the axis keeps the limits it has, or those of the data. */
+static const char *set_window(struct chart *c, double from, double to)
+{
+    double lo, hi;
+
+    limits_x(c, &lo, &hi);
+    lo = isfinite(from) ? from : lo;
+    hi = isfinite(to) ? to : hi;
+    if (lo >= hi || (c->x.log && lo <= 0))
+        return reason("nothing can be drawn from %g to %g", lo, hi);
+    c->x.lo = lo;
+    c->x.hi = hi;
+    return NULL;
+}
+
+const char *figure_make(const struct figure *f, struct chart *c, int n, const struct figure_input *in,
+                        const struct figure_options *o)
+{
+    const char *why = f->runs ? make_runs(f->runs, c, n, in, o) : f->make(c, n, in, o);
+
+    /* of sections the window is along the track, not along x */
+    if (why || f->make == make_sections)
+        return why;
+    return set_window(c, o->from, o->to);
+}
