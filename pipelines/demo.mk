@@ -1,0 +1,58 @@
+# Question: what does a passenger train at 80 km/h put on the diverging route of a 60E1-R760-1:15 turnout?
+# Figures: wheel, pad and ballast forces along the turnout, sections, contact, receptance (figures 2, 6, 9 to 12 of Lau and Hoff's papers).
+# Time: about 20 s on one core, most of it pictures.
+# Headline: largest Q of the leading left wheel at the crossing, out/demo/wheels.csv.
+include pipelines/rules.mk
+
+D = out/demo
+DEMO = $(addprefix $D/,sections.png switch-contact.png crossing-contact.png contact-jump.png rolling-radius.png receptance.png \
+       wheel-forces.png lateral-forces.png pad-forces.png ballast-forces.png sleeper-maxima.png \
+       zones.csv sleepers.csv wheels.csv balance.csv)
+
+demo: $(DEMO)               ## the main job: a train through a turnout, into out/demo
+
+# Profiles: the wheel, the turnout's sections, and plain rail inclined 1:40 to look at contact on its own.
+$D/wheel-l.prof $D/wheel-r.prof: data/profiles/S1002.yaml
+$D/turnout-l.prof $D/turnout-r.prof: data/turnouts/60E1-R760-1-15.yaml data/profiles/60E1.yaml
+$D/rail40-l.prof $D/rail40-r.prof: data/profiles/60E1.yaml
+$D/rail40-l.prof $D/rail40-r.prof: SET = --set cant=0.025
+
+$D/turnout-l.ctab: $D/wheel-l.prof $D/turnout-l.prof
+$D/turnout-r.ctab: $D/wheel-r.prof $D/turnout-r.prof
+$D/rail40-l.ctab: $D/wheel-l.prof $D/rail40-l.prof
+$D/rail40-r.ctab: $D/wheel-r.prof $D/rail40-r.prof
+
+$D/track.trk: data/tracks/60E1-R760-1-15-diverging.yaml
+$D/straight.trk: data/tracks/thesis-straight.yaml
+$D/vehicle.veh: data/vehicles/manchester-passenger.yaml
+
+$D/sleeper.frf $D/midspan.frf: $D/straight.trk
+$D/sleeper.frf: RECEPTANCE = --excite both --at sleeper --from 10 --to 1500 --step 1
+$D/midspan.frf: RECEPTANCE = --excite both --at midspan --from 10 --to 1500 --step 1
+
+$D/diverging.run: data/cases/diverging-80.yaml $D/track.trk $D/vehicle.veh $D/turnout-l.ctab $D/turnout-r.ctab
+
+$D/zones.csv $D/sleepers.csv $D/wheels.csv $D/balance.csv: $D/diverging.run
+$D/zones.csv: POST = --table
+$D/sleepers.csv: POST = --sleepers
+$D/wheels.csv: POST = --wheels
+$D/balance.csv: POST = --balance
+
+$D/sections.png: $D/turnout-l.prof
+$D/sections.png: PLOT = --figure sections
+$D/switch-contact.png $D/crossing-contact.png: $D/wheel-l.prof $D/turnout-l.prof $D/turnout-l.ctab
+$D/switch-contact.png: PLOT = --figure contact --station 6.5 --u -0.005 --yaw -0.002
+$D/crossing-contact.png: PLOT = --figure contact --station 47.2 --u -0.0035 --yaw -0.001
+$D/contact-jump.png: $D/wheel-r.prof $D/rail40-r.prof $D/rail40-r.ctab
+$D/contact-jump.png: PLOT = --figure pairs
+$D/rolling-radius.png: $D/rail40-l.ctab $D/rail40-r.ctab
+$D/rolling-radius.png: PLOT = --figure radius
+$D/receptance.png: $D/sleeper.frf $D/midspan.frf
+$D/receptance.png: PLOT = --figure receptance
+
+$(addprefix $D/,wheel-forces.png lateral-forces.png pad-forces.png ballast-forces.png sleeper-maxima.png): $D/diverging.run
+$D/wheel-forces.png: PLOT = --figure wheel-forces
+$D/lateral-forces.png: PLOT = --figure lateral-forces
+$D/pad-forces.png: PLOT = --figure pad-forces
+$D/ballast-forces.png: PLOT = --figure ballast-forces
+$D/sleeper-maxima.png: PLOT = --figure sleeper-maxima
