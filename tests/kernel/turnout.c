@@ -204,7 +204,7 @@ static double wheel_height(double s, int *carrier)
     return least;
 }
 
-static void test_path(void)
+static void test_path(const char *route)
 {
     int carrier = 0, before = 0, changes = 0;
     double low = -INFINITY, high = INFINITY, at[4] = {0};
@@ -217,7 +217,7 @@ static void test_path(void)
         low = fmax(low, z);
         high = fmin(high, z);
     }
-    ok(changes == 2, "the wheel changes rails twice: onto the switch rail, onto the nose");
+    ok(changes == 2, "%s: the wheel changes rails twice: onto the switch rail, onto the nose", route);
     ok(at[0] > 4 && at[0] < 8, "onto the switch rail at %.1f m, a blade %.0f mm thick", at[0], 1e3 * plan_stock(&plan, at[0]));
     ok(at[1] > 46.8 && at[1] < 47.4, "onto the nose at %.2f m, %.0f mm wide", at[1], 1e3 * plan_separation(&plan, at[1]));
     ok(low < 0.002 && high > -0.002, "the path stays within 2 mm: %.2f to %.2f mm", 1e3 * high, 1e3 * low);
@@ -234,7 +234,9 @@ int main(void)
     test_blade();
     test_nose();
     test_mirror();
-    test_path();
+    test_path("diverging");
+    plan.diverging = 0;
+    test_path("through");
     section_free(&rail);
     section_free(&wheel);
     prof_text_free(&text);

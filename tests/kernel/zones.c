@@ -41,6 +41,22 @@ static const char *section_of(const struct prof_text *t, struct section *s)
     return why;
 }
 
+/* Greatest distance of an outline from the zones it was made of, along the normal, over from < y < to. */
+static double departure(const struct prof_text *t, const struct outline *o, double from, double to)
+{
+    double worst = 0;
+
+    for (int64_t i = 0; i < o->n; i++) {
+        const struct prof_zone *z = t->zones.item;
+        if (o->y[i] <= from || o->y[i] >= to)
+            continue;
+        while (o->y[i] > z->to)
+            z++;
+        worst = fmax(worst, fabs(o->z[i] - zone_height(z, o->y[i])) / hypot(1, o->slope[i]));
+    }
+    return worst;
+}
+
 static void test_s1002(void)
 {
     struct prof_text t;
@@ -60,6 +76,7 @@ static void test_s1002(void)
         face -= (outline_height(&s.outline, face) - 0.010) / -2.7;
     near(face + 0.070, 0.0325, 2e-5, "S1002: flange 32.5 mm thick");
     near(atan(zone_slope((struct prof_zone *)t.zones.item + 3, -0.039)), -70 * M_PI / 180, 1e-4, "S1002: flange at 70 degrees");
+    near(departure(&t, &s.outline, -0.0695, 0.060), 0, 3e-6, "S1002: the smoothed curve departs less than 3 um, but at the flange back");
     near(outline_height(&s.outline, 0.060), -2.6357e-3, 1e-6, "S1002: field end of the published table");
     section_free(&s);
     prof_text_free(&t);

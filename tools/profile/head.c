@@ -11,6 +11,7 @@
 #define STEP 2.5e-5          /* m, of y while cutting */
 #define CROWN_SLOPE 0.2      /* the crown of a head is where it is flatter: beyond, the parabola that continues it */
 #define ROUND_SHARE 0.4      /* largest edge radius, of the width */
+#define THINNEST 1e-3        /* m */
 
 /* Height of an outline at y, INFINITY beside it. */
 static double outline_height(const struct outline *o, double y)
@@ -86,6 +87,8 @@ const char *head_blade(const struct section *rail, double thickness, double lowe
     const char *why;
 
     *blade = (struct outline){0};
+    if (thickness < THINNEST)
+        return reason("a blade %.3g mm thick is too thin to cut, at least %g mm", 1e3 * thickness, 1e3 * THINNEST);
     /* The back stands upright where the stock rail's gauge face is as deep as the rounded edge. */
     if ((why = gauge_face(plain, fmin(lowering + r, depth), &face)))
         return why;
@@ -110,11 +113,14 @@ const char *head_nose(const struct section *rail, double width, double lowering,
 {
     const struct outline *plain = &rail->outline;
     double r = fmin(o->edge_radius, ROUND_SHARE * width), depth = plain->z[0], from = plain->y[0];
+
+    *nose = (struct outline){0};
+    if (width < THINNEST)
+        return reason("a nose %.3g mm wide is too thin to cut, at least %g mm", 1e3 * width, 1e3 * THINNEST);
     double mirror = 2 * rail->gauge_face + width, high = crown_height(plain, mirror / 2);
     int64_t n = (int64_t)((mirror - 2 * from) / STEP) + 1;
     double *z = calloc((size_t)n * 2, sizeof *z);
 
-    *nose = (struct outline){0};
     if (!z)
         return REASON_MEMORY;
     for (int64_t i = 0; i < n; i++) {
