@@ -27,7 +27,7 @@ struct veh {
     const char (*coupling_name)[32]; /* [couplings] */
     const int64_t *type;             /* [couplings] enum veh_coupling */
     const int64_t *ends;             /* [couplings][2] bodies; force and moment are those on the second */
-    const int64_t *bearing;          /* [couplings] which end, 0 or 1, sits on the axle of a wheelset, whose pitch it does not see; else -1 */
+    const int64_t *bearing;          /* [couplings] end, 0 or 1, at a wheelset, whose pitch it does not see; else -1 */
     const double *point;             /* m [couplings][3] common point at rest, x y z as cg */
     const double *stiffness;         /* N/m, N m/rad [couplings][6] x y z, roll pitch yaw */
     const double *damping;           /* N s/m, N m s/rad [couplings][6] */

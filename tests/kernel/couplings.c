@@ -205,7 +205,8 @@ static void test_sway(void)
     near(f[VEH_ROLL] - rest[VEH_ROLL], 0.5*0.01*10000, 1e-9, "and half of it the frame");
 }
 
-/* A frame and a carbody yawed alike by 0.02 rad, and 1 mm apart along the yawed x axis: the force lies along it too, although kx and ky differ. */
+/* A frame and a carbody yawed alike by 0.02 rad, and 1 mm apart along the yawed x axis: the force lies along it too, although
+ * kx and ky differ. */
 static void test_axes(void)
 {
     static const double zero[3] = {0}, yaw[3] = {0, 0, 0.02};

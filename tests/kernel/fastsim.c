@@ -8,7 +8,8 @@ static const double G = 82e9, NU = 0.28, MU = 0.3, N = 82e3;
 
 /* Contacts of the published table: a, and curvature rho and mean semi-axis c that scale its creepages, m. */
 static const struct { double ratio, a, rho, c; } CONTACTS[] = {
-    {0.2, 4e-3, 1.772, 8.944e-3}, {0.5, 6e-3, 2.075, 8.485e-3}, {1, 9e-3, 2.7, 9e-3}, {2, 12e-3, 2.075, 8.485e-3}, {5, 20e-3, 1.772, 8.944e-3}};
+    {0.2, 4e-3, 1.772, 8.944e-3}, {0.5, 6e-3, 2.075, 8.485e-3}, {1, 9e-3, 2.7, 9e-3}, {2, 12e-3, 2.075, 8.485e-3},
+    {5, 20e-3, 1.772, 8.944e-3}};
 
 enum { KINDS = sizeof CONTACTS/sizeof *CONTACTS };
 

@@ -7,10 +7,10 @@
  *
  * in axes turned with the mean of the two bodies, m = (tA + tB)/2: e and e' less m x e and m x e' there, and back F + m x F.
  *
- * Both forces act midway between the displaced ends, rB = d + t x d - e/2 and rA = d + t x d + e/2 from the displaced centres of gravity, so
- * forces and moments cancel in pairs about any axis.  The preload on a displaced point and its turning with the bodies are the geometric
- * stiffness of a loaded spring; a preload that kept its direction would not be conservative: it would give a lateral displacement a
- * roll moment and a roll no lateral force.
+ * Both forces act midway between the displaced ends, rB = d + t x d - e/2 and rA = d + t x d + e/2 from the displaced centres of
+ * gravity, so forces and moments cancel in pairs about any axis.  The preload on a displaced point and its turning with the
+ * bodies are the geometric stiffness of a loaded spring.  A preload that kept its direction would not be conservative: a lateral
+ * displacement would give a roll moment, but a roll no lateral force.
  *
  * The end at a wheelset is an axlebox, which does not spin: its pitch is zero, the other body alone turns F in pitch and takes the
  * moment e x F about y. */

@@ -6,8 +6,8 @@
  *   MB =  dB x F - (tB x dB) x p + (e x p)/2 - kr (tB - tA)
  *   MA = -dA x F + (tA x dA) x p + (e x p)/2 + kr (tB - tA)
  *
- * The terms in p are the geometric stiffness.  K is symmetric where the preloads and the weight of each body are in balance: gravity itself has a
- * constant force through the centre of gravity, hence no stiffness.  A stop without clearance adds its first slope. */
+ * The terms in p are the geometric stiffness.  K is symmetric where the preloads and the weight of each body are in balance; gravity
+ * itself is a constant force through the centre of gravity, hence no stiffness.  A stop without clearance adds its first slope. */
 #include "tools/vehicle/linear.h"
 
 #include <string.h>

@@ -2,8 +2,8 @@
  *
  *   K q = W,   K = sum k b b',   b' q = e = zB - zA of a coupling,   preload = k e,
  *
- * with W the weights.  All other springs, and stops, are taken to be at ease at rest: a vehicle is levelled when it is built.  Several springs
- * under a body share its weight by their stiffness. */
+ * with W the weights.  All other springs, and stops, are taken to be at ease at rest: a vehicle is levelled when it is built.
+ * Several springs under a body share its weight by their stiffness. */
 #include "tools/vehicle/statics.h"
 
 #include <math.h>
