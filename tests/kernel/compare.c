@@ -30,7 +30,7 @@ static void shapes(void)
     b.type = VXF_F32;
     ok((why = vxf_compare_shape(&a, &b)) && strcmp(why, "is f64 and f32") == 0, "another type");
     b = a;
-    strcpy(b.unit, "mm");
+    memcpy(b.unit, "mm", 3);
     ok((why = vxf_compare_shape(&a, &b)) && strcmp(why, "has unit m and mm") == 0, "another unit");
 }
 
@@ -51,7 +51,8 @@ int main(void)
     ok(!differ(VXF_F64, 4, x, y, 6e-4, 0.01, 0), "the larger of both tolerances holds");
     ok(!differ(VXF_F64, 4, x, y, 0, 0.01, 0.3) && d.off == 1, "an element off passes where the root mean square does not");
     ok(differ(VXF_F64, 4, x, y, 0, 0.01, 0.2), "and fails where both do");
-    ok(differ(VXF_F64, 1, zero, minus, 0, 0, 0) && !differ(VXF_F64, 1, zero, minus, 0, 1e-300, 0), "-0 has other bits, and is 0 within any tolerance");
+    ok(differ(VXF_F64, 1, zero, minus, 0, 0, 0) && !differ(VXF_F64, 1, zero, minus, 0, 1e-300, 0),
+       "-0 has other bits, and is 0 within any tolerance");
     ok(differ(VXF_F64, 1, zero, nan_, 1, 1e300, 1e300) && isnan(d.largest), "NaN differs from a number within any tolerance");
     ok(!differ(VXF_F64, 1, nan_, nan_, 0, 0, 0), "the same NaN is the same");
     ok(differ(VXF_F64, 1, zero, infinite, 1e-3, 1e300, 0), "infinity differs from a number");

@@ -151,10 +151,12 @@ static void mat(void)
     ok(v[2].class == 7 && v[2].type == 7 && v[2].dim[0] == 2 && v[2].dim[1] == 1 && memcmp(v[2].part[0], single, sizeof single) == 0,
        "MAT: one dim is a column of singles");
     ok(v[3].class == 14 && v[3].type == 12 && memcmp(v[3].part[0], whole, sizeof whole) == 0, "MAT: int64");
-    ok(v[4].class == 6 && v[4].is_complex && ((const double *)v[4].part[0])[1] == 3 && ((const double *)v[4].part[1])[1] == 0.5, "MAT: complex, real parts first");
+    ok(v[4].class == 6 && v[4].is_complex && ((const double *)v[4].part[0])[1] == 3 && ((const double *)v[4].part[1])[1] == 0.5,
+       "MAT: complex, real parts first");
     ok(v[5].class == 4 && v[5].dim[0] == 2 && v[5].dim[1] == 8 && memcmp(v[5].part[0], "sat o\"cbk\"", 10) == 0, "MAT: text is a character matrix");
     ok(v[6].dim[0] == 2 && v[6].dim[1] == 0 && v[6].bytes == 0, "MAT: an empty array");
-    ok(strcmp(v[7].name, "vxf_header") == 0 && v[7].bytes == sizeof header - 1 && memcmp(v[7].part[0], header, sizeof header - 1) == 0, "MAT: the header text");
+    ok(strcmp(v[7].name, "vxf_header") == 0 && v[7].bytes == sizeof header - 1 && memcmp(v[7].part[0], header, sizeof header - 1) == 0,
+       "MAT: the header text");
     free(text);
 
     struct vxf_array two[2] = {item[2], item[2]};
@@ -183,7 +185,8 @@ static hid_t open_hdf5(char **image, size_t *n)
     return file;
 }
 
-static int hdf5_holds(hid_t file, const char *set_name, hid_t type, const void *data, size_t size, int ndim, const hsize_t *dim, const char *unit)
+static int hdf5_holds(hid_t file, const char *set_name, hid_t type, const void *data, size_t size, int ndim, const hsize_t *dim,
+                      const char *unit)
 {
     hid_t set = H5Dopen2(file, set_name, H5P_DEFAULT), space = H5Dget_space(set);
     hid_t attribute = H5Aopen(set, "unit", H5P_DEFAULT), text = H5Aget_type(attribute);

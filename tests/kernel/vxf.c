@@ -245,7 +245,8 @@ static int is_beginning(struct vxf *f)
 
     return !f->complete && f->records <= 5 && !vxf_get_series(f, "time", VXF_F64, "s", 0, NULL, &t) &&
            memcmp(t, time_, (size_t)f->records * 8) == 0 && !vxf_get_series(f, "force", VXF_F32, "N", 1, (int64_t[]){2}, &q) &&
-           memcmp(q, force, (size_t)f->records * 8) == 0 && says(vxf_get_tail(f, "largest", VXF_F64, "N", 1, (int64_t[]){3}, &tail), "not complete");
+           memcmp(q, force, (size_t)f->records * 8) == 0 &&
+           says(vxf_get_tail(f, "largest", VXF_F64, "N", 1, (int64_t[]){3}, &tail), "not complete");
 }
 
 static void killed_run(const struct image *m)
@@ -440,7 +441,8 @@ static void forged_nan(void)
     memcpy(m.byte, &p, sizeof p);
     store(m.byte, m.n);
     free(m.byte);
-    ok(!vxf_open(&f, path) && says(vxf_get(&f, "x", VXF_F64, "m", 1, (int64_t[]){2}, &data), "not a finite number at 1"), "NaN is refused, with its place");
+    ok(!vxf_open(&f, path) && says(vxf_get(&f, "x", VXF_F64, "m", 1, (int64_t[]){2}, &data), "not a finite number at 1"),
+       "NaN is refused, with its place");
     vxf_close(&f);
 }
 

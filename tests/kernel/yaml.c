@@ -107,7 +107,8 @@ static void accepted(void)
         "        stiffness: .5E+3\n";
 
     ok(!read_set(text, NULL), "a right input is read");
-    ok(strcmp(t.name, "one: two") == 0 && t.from == -15.5 && t.spacing == 0.6 && t.bays == 12 && t.heavy && t.model == 1, "scalars, one by default");
+    ok(strcmp(t.name, "one: two") == 0 && t.from == -15.5 && t.spacing == 0.6 && t.bays == 12 && t.heavy && t.model == 1,
+       "scalars, one by default");
     ok(t.railpad.stiffness == 300e6 && t.railpad.damping == 50e3, "a map, one value by default");
     ok(t.bending.n == 3 && !t.bending.by_number && yaml_table_at(&t.bending, 0.75, 0) == 1.5e6, "a table over station, straight between");
     ok(yaml_table_at(&t.bending, -1, 0) == 1e6 && yaml_table_at(&t.bending, 9, 0) == 2e6, "constant beyond its ends");
@@ -116,7 +117,8 @@ static void accepted(void)
     const struct zone *z = t.zone.item;
     ok(z[0].sleepers.n == 3 && z[0].railpad.damping == 0 && z[1].sleepers.n == 0 && z[1].railpad.stiffness == 500, "with their keys");
     yaml_release(&TRACK, &t);
-    ok(!read_set("track: {railpad: {stiffness: 1}, bending: 3}", NULL) && t.bending.n == 1 && yaml_table_at(&t.bending, 7, 7) == 3, "a table may be one number");
+    ok(!read_set("track: {railpad: {stiffness: 1}, bending: 3}", NULL) && t.bending.n == 1 && yaml_table_at(&t.bending, 7, 7) == 3,
+       "a table may be one number");
     yaml_release(&TRACK, &t);
 }
 
@@ -198,8 +200,7 @@ static void beyond_the_subset(void)
     refused("track: {railpad: {stiffness: !!float 1}}", "text:1:30: error: anchors and tags are not part of this input format");
     refused("track: {railpad: {stiffness: 1}}\n---\ntrack: 1\n", "text:3:1: error: a second document");
     refused("track: {[a]: 1}", "text:1:9: error: a key must be a word");
-    for (int i = 0; i < 60; i++)
-        strcat(deep, "[");
+    memset(deep + strlen(deep), '[', 60);
     refused(deep, "text:1:40: error: nested too deep");
     ok(read_set("track:\n\trailpad: 1\n", NULL) != NULL, "a tab as indent is refused");
     ok(read_set("track: {railpad: {stiffness: 1}", NULL) != NULL, "a brace left open is refused");
@@ -208,7 +209,8 @@ static void beyond_the_subset(void)
 
 static void overrides(void)
 {
-    char pad[] = "railpad.stiffness=150e6", item[] = "zone.1.railpad.stiffness=16e6", new_key[] = "spacing=0.5", table[] = "bending={number: [1, 2], value: [3, 4]}";
+    char pad[] = "railpad.stiffness=150e6", item[] = "zone.1.railpad.stiffness=16e6", new_key[] = "spacing=0.5";
+    char table[] = "bending={number: [1, 2], value: [3, 4]}";
     const char *text = "track: {railpad: {stiffness: 1}, zone: [{name: a, railpad: {stiffness: 2}}]}";
 
     ok(!read_set(text, pad) && t.railpad.stiffness == 150e6, "a value is overridden");
