@@ -47,7 +47,7 @@ static inline struct shape *shape_end(struct shape *s, char side)
             s->y[j] = -y; s->z[j] = z; s->slope[j] = -slope; s->curvature[j] = curvature;
         }
     }
-    strcpy(s->body[0], "rail");
+    snprintf(s->body[0], sizeof s->body[0], "rail");
     s->poly_first[1] = n;
     p->station = s->station;
     p->body = (const char (*)[PROF_NAME])s->body;

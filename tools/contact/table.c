@@ -156,7 +156,7 @@ const char *table_fill(struct ctab *t, const struct prof *wheel, const struct pr
         .rail_position = rail->position, .wheel_position = wheel->position,
     };
     memcpy(t->yaw_method, method == TABLE_NONE ? "none" : "exact", method == TABLE_NONE ? 5 : 6);
-    if ((why = check_pair(wheel, rail)) || (why = table_room(t, rail, g)) || 
+    if ((why = check_pair(wheel, rail)) || (why = table_room(t, rail, g)) ||
         (why = search_begin(&s, wheel, rail, t->yaw, t->yaws, g->u_step)))
         goto done;
 
