@@ -6,7 +6,7 @@ include pipelines/rules.mk
 
 D = out/demo
 DEMO = $(addprefix $D/,sections.png switch-contact.png crossing-contact.png contact-jump.png rolling-radius.png receptance.png \
-       wheel-forces.png lateral-forces.png pad-forces.png ballast-forces.png sleeper-maxima.png \
+       vertical.png lateral.png pads.png ballast.png max-pads.png max-ballast.png \
        zones.csv sleepers.csv wheels.csv balance.csv)
 
 demo: $(DEMO)               ## the main job: a train through a turnout, into out/demo
@@ -50,9 +50,11 @@ $D/rolling-radius.png: PLOT = --figure radius
 $D/receptance.png: $D/sleeper.frf $D/midspan.frf
 $D/receptance.png: PLOT = --figure receptance
 
-$(addprefix $D/,wheel-forces.png lateral-forces.png pad-forces.png ballast-forces.png sleeper-maxima.png): $D/diverging.run
-$D/wheel-forces.png: PLOT = --figure wheel-forces
-$D/lateral-forces.png: PLOT = --figure lateral-forces
-$D/pad-forces.png: PLOT = --figure pad-forces
-$D/ballast-forces.png: PLOT = --figure ballast-forces
-$D/sleeper-maxima.png: PLOT = --figure sleeper-maxima
+$(addprefix $D/,vertical.png lateral.png pads.png ballast.png max-pads.png max-ballast.png): $D/diverging.run
+$D/vertical.png: PLOT = --figure vertical $(PANELS)
+$D/lateral.png: PLOT = --figure lateral $(PANELS)
+$D/pads.png: PLOT = --figure pads --sleeper 2 --sleeper 40 --sleeper 80
+$D/ballast.png: PLOT = --figure ballast --sleeper 2 --sleeper 40 --sleeper 80
+$D/max-pads.png: PLOT = --figure max-pads
+$D/max-ballast.png: PLOT = --figure max-ballast
+PANELS = --mark '0=switch' --mark '47=crossing'
