@@ -19,7 +19,7 @@ struct prof {
     double radius;                   /* m, of the wheel at its running circle; 0 for a rail */
     int64_t sections, bodies, polys, points;
     const double *station;           /* m [sections], increasing; one section is the same everywhere */
-    const char (*body)[PROF_NAME];   /* [bodies] "rail", "stock rail", "switch rail", "nose", ... */
+    const char (*body)[PROF_NAME];   /* [bodies] "rail", "stock rail", "switch and wing rail", "nose", ... */
     const int64_t *poly_section;     /* [polys] section of a polyline, not decreasing */
     const int64_t *poly_body;        /* [polys] its body, each at most once a section */
     const int64_t *poly_first;       /* [polys + 1] its first point; the last entry is points */

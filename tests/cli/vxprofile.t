@@ -47,7 +47,7 @@ ok $? "the smoothed 60E1 departs less than 10 um from its arcs"
 value residual_worst --set smoothing=0 data/profiles/60E1.yaml | awk '{exit !($1 < 1e-9)}'
 ok $? "without smoothing it passes through them"
 $bin/vxprofile --side l --check data/turnouts/60E1-R760-1-15.yaml | awk -F'\t' '
-    $2 == "nose" && !nose {nose = $1} $2 == "switch rail" {last = $1} $2 == "stock rail" && $1 + 0 == $1 {stock = $1}
+    $2 == "nose" && !nose {nose = $1} $2 == "switch and wing rail" {last = $1} $2 == "stock rail" && $1 + 0 == $1 {stock = $1}
     END {exit !(nose > 46.7 && nose < 46.9 && last > 48 && last < 48.5 && stock > 14 && stock < 16)}'
 ok $? "turnout: stock rail to 15 m, nose from 46.8 m, wing rail to 48.2 m"
 $bin/vxprofile --side r --set turnout.route=through --check data/turnouts/60E1-R760-1-15.yaml | grep -q 'nose'

@@ -5,7 +5,7 @@
 
 #include "formats/reason.h"
 
-static const char *const bodies[] = {"stock rail", "switch rail", "nose"};
+static const char *const bodies[] = {"stock rail", "switch and wing rail", "nose"};
 
 struct plan turnout_plan(const struct turnout_text *t, double gauge)
 {
