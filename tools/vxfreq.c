@@ -109,21 +109,21 @@ static void print_peaks(const struct frf *r)
     free(p);
 }
 
-static void run_receptance(const struct vxf *f, const char *path)
+static void run_receptance(const struct vxf *f, const char *name)
 {
     struct vxf_out o;
     struct trk t;
     struct frf r;
 
-    cli_check(path, trk_read(&t, f));
+    cli_check(name, trk_read(&t, f));
     const struct point p = locate(&t);
-    cli_check(path, sweep_point(&r, &t, &p, opt.at, opt.excite, &opt.sweep));
+    cli_check(name, sweep_point(&r, &t, &p, opt.at, opt.excite, &opt.sweep));
     if (opt.peaks)
         print_peaks(&r);
     else {
         vxf_out_begin(&o, "frf");
         vxf_put_input(&o, f);
-        cli_check(path, frf_put(&r, &o));
+        cli_check(name, frf_put(&r, &o));
         cli_write(&o, opt.out);
         vxf_out_free(&o);
     }
@@ -131,15 +131,15 @@ static void run_receptance(const struct vxf *f, const char *path)
     trk_free(&t);
 }
 
-static void run_static(const struct vxf *f, const char *path)
+static void run_static(const struct vxf *f, const char *name)
 {
     struct cli_out out;
     struct seat s;
     struct trk t;
 
-    cli_check(path, trk_read(&t, f));
+    cli_check(name, trk_read(&t, f));
     const struct point p = locate(&t);
-    cli_check(path, seat_load(&s, &t, &p, opt.excite, opt.load));
+    cli_check(name, seat_load(&s, &t, &p, opt.excite, opt.load));
     cli_create(&out, opt.out, 0);
     fprintf(out.file, "deflection       %.6g m\n", s.deflection);
     fprintf(out.file, "seat force       %.6g N\n", s.force);
@@ -158,7 +158,7 @@ static void print_modes(const struct mod *m)
     cli_close(&out);
 }
 
-static void run_modes(const struct vxf *f, const char *path)
+static void run_modes(const struct vxf *f, const char *name)
 {
     struct vxf_out o;
     struct trk t = {0};
@@ -166,18 +166,18 @@ static void run_modes(const struct vxf *f, const char *path)
     struct mod m;
 
     if (vxf_is(f, "veh") == NULL) {
-        cli_check(path, veh_read(&v, f));
-        cli_check(path, dense_vehicle(&m, &v, opt.modes, opt.near));
+        cli_check(name, veh_read(&v, f));
+        cli_check(name, dense_vehicle(&m, &v, opt.modes, opt.near));
     } else {
-        cli_check(path, trk_read(&t, f));
-        cli_check(path, modes_track(&m, &t, opt.modes, opt.near));
+        cli_check(name, trk_read(&t, f));
+        cli_check(name, modes_track(&m, &t, opt.modes, opt.near));
     }
     if (opt.text)
         print_modes(&m);
     else {
         vxf_out_begin(&o, "mod");
         vxf_put_input(&o, f);
-        cli_check(path, mod_put(&m, &o));
+        cli_check(name, mod_put(&m, &o));
         cli_write(&o, opt.out);
         vxf_out_free(&o);
     }
@@ -188,16 +188,16 @@ static void run_modes(const struct vxf *f, const char *path)
 
 int main(int argc, char **argv)
 {
-    const char *path = parse(argc, argv);
+    const char *path = parse(argc, argv), *name = strcmp(path, "-") ? path : "standard input";
     struct vxf f;
 
     cli_open(&f, path, NULL);
     if (opt.receptance)
-        run_receptance(&f, path);
+        run_receptance(&f, name);
     else if (opt.statics)
-        run_static(&f, path);
+        run_static(&f, name);
     else
-        run_modes(&f, path);
+        run_modes(&f, name);
     vxf_close(&f);
     return cli_end();
 }

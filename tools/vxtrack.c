@@ -66,6 +66,7 @@ int main(int argc, char **argv)
     }
     if ((why = trk_text_read(&in, path, opt.set.item, opt.set.n, &hash)))
         cli_die("%s", why);
+    path = strcmp(path, "-") ? path : "standard input";
     cli_check(path, layout_track(&t, &in));
     cli_check(path, assemble_track(&t));
     vxf_out_begin(&o, "trk");

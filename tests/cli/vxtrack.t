@@ -43,6 +43,11 @@ for f in $turnout data/tracks/60E1-R760-1-15-through.yaml; do
 	ok $? "$f builds with 254 sleepers"
 done
 
+# The table of the page is the schema's: every key is there with its unit and default.
+$bin/vxtrack --schema | awk -F'\t' 'NR > 1 { printf ".It %s Ta %s Ta %s Ta %s\n", $1, $3, $5, $6 }' >"$tmp/rows"
+grep '^\.It .* Ta ' man/track-input.5 | grep -v '^.It Sy' | cmp -s - "$tmp/rows"
+ok $? "track-input(5) has the rows of --schema"
+
 # Zone 3 is the left rail of sleepers 70 to 90, around station 48: softer pads there and nowhere else.
 $bin/vxtrack --set zone.3.railpad.stiffness=16e6 -o "$tmp/z.trk" $turnout
 $bin/vxtrack -o "$tmp/r.trk" $turnout

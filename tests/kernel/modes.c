@@ -84,6 +84,21 @@ static void properties(const struct trk *t)
     mod_free(&m);
 }
 
+/* Each mode keeps to an eigenvalue of its own: among 150 modes in dense bands no two have one damping ratio. */
+static void own_eigenvalues(const struct trk *t)
+{
+    struct mod m;
+    int shared = 0;
+
+    if (!ok(modes_track(&m, t, 150, 0) == NULL, "half of all modes"))
+        return;
+    for (int64_t i = 0; i < m.n; i++)
+        for (int64_t j = 0; j < i; j++)
+            shared += fabs(m.damping[i] - m.damping[j]) < 1e-9;
+    near(shared, 0, 0, "no two follow one complex eigenvalue");
+    mod_free(&m);
+}
+
 /* Dense copy, row and column alike. */
 static void dense(const struct trk *t, const double *X, double *A)
 {
@@ -188,6 +203,7 @@ int main(void)
         return done();
     published(&t);
     properties(&t);
+    own_eigenvalues(&t);
     ok(modes_track(&m, &t, 151, 0) != NULL, "more than half the modes are refused");
     mod_free(&m);
     trk_free(&t);

@@ -107,6 +107,8 @@ static void refusals(struct trk *t)
     TAMPER(rail_mass, 2 * n, 3, -1, "rail.mass", "a negative mass");
     TAMPER(sleeper_mass, s, 3, 0, "sleeper.mass", "a sleeper without mass");
     TAMPER(pad_k, 2 * s, 99, -1, "pad.k", "a negative stiffness");
+    TAMPER(check_k, 1, 0, -1, "check.k", "a check rail that pulls");
+    TAMPER_INTEGER(check_rail, 1, 0, 2, "check.rail", "a third side");
     TAMPER(sleeper_x, s, 4, t->sleeper_x[4] + 0.01, "sleeper.x", "a sleeper not below its node");
     TAMPER_INTEGER(sleeper_node, s, 4, 50, "sleeper.node", "a node beyond the rail");
     TAMPER_INTEGER(sleeper_number, s, 4, 99, "sleeper.number", "numbers that jump");
