@@ -212,25 +212,29 @@ static void shape_slope(double L, double a, double N[4])
     N[3] = -(3 * e * e - 2 * e);
 }
 
-struct lumped_place lumped_find(const struct lumped *l, int rail, double x)
+/* Nodes stand evenly or nearly so: guess, then walk. */
+int64_t lumped_element(const struct lumped *l, double x)
 {
     const double *node = l->track->x;
-    struct lumped_place p;
-    int64_t low = 0, high = l->n - 1;
-    double L;
+    int64_t last = l->n - 2, i = (int64_t)((x - node[0]) / (node[last + 1] - node[0]) * (double)(last + 1));
 
-    while (high - low > 1) {
-        int64_t middle = (low + high) / 2;
-        if (x >= node[middle])
-            low = middle;
-        else
-            high = middle;
-    }
-    p.node = low;
-    L = node[low + 1] - node[low];
-    beam_shape(L, x - node[low], p.shape);
-    shape_slope(L, x - node[low], p.slope);
-    p.compliance = beam_compliance(l->track->bending[rail * (l->n - 1) + low], L, x - node[low]);
+    i = i < 0 ? 0 : i > last ? last : i;
+    while (i > 0 && x < node[i])
+        i--;
+    while (i < last && x >= node[i + 1])
+        i++;
+    return i;
+}
+
+struct lumped_place lumped_find(const struct lumped *l, int rail, double x)
+{
+    struct lumped_place p = {.node = lumped_element(l, x)};
+    const double *node = l->track->x + p.node;
+    double L = node[1] - node[0], a = x - node[0];
+
+    beam_shape(L, a, p.shape);
+    shape_slope(L, a, p.slope);
+    p.compliance = beam_compliance(l->track->bending[rail * (l->n - 1) + p.node], L, a);
     return p;
 }
 

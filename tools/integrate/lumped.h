@@ -38,6 +38,9 @@ struct lumped_place {
     double compliance;    /* m/N of the loaded element, a^3 b^3/(3 EI L^3) */
 };
 
+/* The element, by the node behind, under station x. */
+int64_t lumped_element(const struct lumped *l, double x);
+
 /* The element of rail 0 left or 1 right under station x, which must lie between the first and the last node. */
 struct lumped_place lumped_find(const struct lumped *l, int rail, double x);
 

@@ -124,7 +124,7 @@ static void wheel_extremes_by_sleeper(struct record *r, const struct passage *p)
 
     for (int64_t k = 0; k < 2 * r->run.wheelsets; k++) {
         double s = p->station + r->wheelset_x[k / 2];
-        int64_t i = lumped_find(&p->rails, (int)(k % 2), s).node;
+        int64_t i = lumped_element(&p->rails, s);
         i += i + 1 < n && x[i + 1] - s < s - x[i];
         double *Q = &r->extreme[RUN_SLEEPER_MAX_Q][k % 2 * n + i], *Y = &r->extreme[RUN_SLEEPER_MAX_Y][k % 2 * n + i];
         *Q = fmax(*Q, p->wheel[k].Q);
