@@ -58,3 +58,9 @@ $D/ballast.png: PLOT = --figure ballast --sleeper 2 --sleeper 40 --sleeper 80
 $D/max-pads.png: PLOT = --figure max-pads
 $D/max-ballast.png: PLOT = --figure max-ballast
 PANELS = --mark '0=switch' --mark '47=crossing'
+
+# The pictures of the README are copies: made anew by hand when they should change.
+pictures: $D/vertical.png $D/crossing-contact.png $D/receptance.png ## renew the pictures of the README
+	@mkdir -p man/pictures
+	cp $^ man/pictures
+.PHONY: pictures
