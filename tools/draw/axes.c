@@ -62,7 +62,7 @@ static void words_y(const struct layout *l, const struct chart *c, int p, struct
         text_add(t, b->x - gap * l->point, b->y + b->h * (a->down ? up : 1 - up), &number, l->y[p].label[k]);
     }
     if (a->label) {
-        const struct text_style fit = fitted(t, label, a->label, b->h + 2 * gap * l->point);
+        const struct text_style fit = fitted(t, label, a->label, b->h);
         text_add(t, gap * l->point, b->y + b->h / 2, &fit, a->label);
     }
 }

@@ -70,6 +70,7 @@ struct chart {
     const char *title;                     /* NULL: none */
     struct chart_axis x;
     int equal;                             /* a metre is as long along y as along x */
+    int alike;                             /* y has the same limits in all panels */
     int bare;                              /* no axes: a drawing */
     int panels;
     struct chart_panel panel[CHART_PANELS];

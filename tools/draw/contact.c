@@ -8,6 +8,7 @@
 static const double head = 0.040;          /* m, half width of what is shown of a rail: a head is 72 mm wide */
 static const double normal = 0.008;        /* m, drawn length of a normal to either side */
 static const double apart = 0.035;         /* m, wheel above rail in the picture of pairs */
+static const double gauge_side = 0.075;    /* m, half width shown there: flange and tread */
 static const double name_room = 0.006, clear = 0.0015;   /* m, between the names of pairs, above the wheel */
 static const double touching = 1e-6;       /* m, gap of a contact called touching */
 
@@ -207,6 +208,8 @@ const char *contact_pairs_chart(struct chart *c, const struct prof *wheel, const
         c, panel, chart_words(c, "contact pairs, u every %.3g mm, named at the wheel", (double)every * du * 1e3), n, x, y);
     s->colour = CHART_WINE;
     s->width = 0.7;
+    c->x.lo = -gauge_side;
+    c->x.hi = gauge_side;
     panel->y.lo = -apart - 0.012;
     panel->y.hi = 0.016;
     c->title = chart_words(c, "Contact pairs at yaw %.2f mrad%s", t->yaw[j] * 1e3,

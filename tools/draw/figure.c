@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "tools/draw/limits.h"
+#include "tools/draw/modes.h"
 #include "tools/draw/radius.h"
 #include "tools/draw/receptance.h"
 #include "tools/draw/sections.h"
@@ -75,6 +76,18 @@ static const char *make_radius(struct chart *c, int n, const struct figure_input
     return why ? why : radius_chart(c, &left, &right, o->at.station, o->at.yaw);
 }
 
+static const char *make_modes(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
+{
+    struct mod m;
+    struct trk t;
+    const char *why = mod_read(&m, in[0].file);
+
+    (void)n;
+    (void)o;
+    why = why ? why : trk_read(&t, in[1].file);
+    return why ? why : modes_chart(c, &m, &t);
+}
+
 static const char *make_rolling_radius(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
 {
     (void)n;
@@ -104,6 +117,7 @@ static const char *make_runs(runs_add *add, struct chart *c, int n, const struct
 
 const struct figure figures[] = {
     {"receptance", "frf ...", "magnitude with peaks, and phase", make_receptance, NULL},
+    {"modes", "mod trk", "natural modes of a track, the first four of the file", make_modes, NULL},
     {"sections", "prof", "cross-sections along the track", make_sections, NULL},
     {"contact", "prof prof ctab", "wheel on rail and its contact points, at --station --yaw --u", make_contact, NULL},
     {"pairs", "prof prof ctab", "points of wheel and rail that touch, over all displacements", make_pairs, NULL},

@@ -7,16 +7,17 @@
 
 const double layout_sample = 20;
 static const double edge = 6, gap = 4, end = 14; /* pt, around the picture, between its parts, right of the boxes */
-static const double headroom = 0.03;             /* of the range of the data */
+static const double headroom = 0.06;             /* of the range of the data */
+static const double near_zero = 0.3;             /* of its largest value: the axis begins at zero */
 static const double row = 13;                   /* pt, of a legend */
 static const double between = 14;               /* pt, entries of a legend */
-static const double tick_room_x = 44, tick_room_y = 17;   /* pt, for one number */
+static const double tick_room_x = 44, tick_room_y = 13;   /* pt, for one number */
 
 static int steps(double px, double point, double room)
 {
     int n = (int)(px / (point * room));
 
-    return n < 2 ? 2 : n > 20 ? 20 : n;
+    return n < 2 ? 2 : n > 8 ? 8 : n;
 }
 
 /* The legend above an earlier panel has this entry already. */
@@ -50,13 +51,17 @@ static double legend(struct layout *l, const struct chart_panel *p, const struct
     return any ? y + row / 2 * l->point : 0;
 }
 
-/* Some room beyond the extremes of the data. */
-static void air(double *lo, double *hi, int log)
+/* Room beyond the extremes of the data: to round numbers where logarithmic or in steps given, else a little, and down to
+ * zero where that is near. */
+static void air(double *lo, double *hi, const struct chart_axis *a, int most)
 {
-    double part = headroom * (log ? log10(*hi / *lo) : *hi - *lo);
-
-    *lo = log ? *lo * pow(10, -part) : *lo == 0 ? 0 : *lo - part;
-    *hi = log ? *hi * pow(10, part) : *hi == 0 ? 0 : *hi + part;
+    if (a->log || a->step > 0) {
+        scale_widen(lo, hi, a->log, a->step, most);
+        return;
+    }
+    double part = headroom * (*hi - *lo);
+    *lo = *lo >= 0 && *lo < near_zero * *hi ? 0 : *lo - part;
+    *hi = *hi <= 0 && *hi > near_zero * *lo ? 0 : *hi + part;
 }
 
 static void scale_axis(struct scale *s, const struct chart_axis *a, double lo, double hi, int widen, int most)
@@ -65,11 +70,8 @@ static void scale_axis(struct scale *s, const struct chart_axis *a, double lo, d
 
     lo *= factor;
     hi *= factor;
-    if (widen) {
-        if (a->step <= 0)
-            air(&lo, &hi, a->log);
-        scale_widen(&lo, &hi, a->log, a->step, most);
-    }
+    if (widen)
+        air(&lo, &hi, a, most);
     scale_set(s, lo, hi, a->log, a->step, most);
 }
 
@@ -89,14 +91,19 @@ static void equalise(struct layout *l, const struct chart *c)
 
 static void scale_panels(struct layout *l, const struct chart *c)
 {
-    double lo, hi, ylo, yhi;
+    double lo, hi, ylo[CHART_PANELS], yhi[CHART_PANELS], least = INFINITY, most = -INFINITY;
 
     limits_x(c, &lo, &hi);
     scale_axis(&l->x, &c->x, lo, hi, 0, steps(l->box[0].w, l->point, tick_room_x));
     for (int p = 0; p < c->panels; p++) {
+        limits_y(&c->panel[p], &c->x, lo, hi, &ylo[p], &yhi[p]);
+        least = fmin(least, ylo[p]);
+        most = fmax(most, yhi[p]);
+    }
+    for (int p = 0; p < c->panels; p++) {
         const struct chart_axis *a = &c->panel[p].y;
-        limits_y(&c->panel[p], &c->x, lo, hi, &ylo, &yhi);
-        scale_axis(&l->y[p], a, ylo, yhi, a->lo == a->hi && !c->bare, steps(l->box[p].h, l->point, tick_room_y));
+        scale_axis(&l->y[p], a, c->alike ? least : ylo[p], c->alike ? most : yhi[p], a->lo == a->hi && !c->bare,
+                   steps(l->box[p].h, l->point, tick_room_y));
     }
     if (c->equal && c->panels == 1)
         equalise(l, c);

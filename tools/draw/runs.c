@@ -2,6 +2,8 @@
 
 static const char *const side_name[] = {"left", "right"};
 static const char *const place_name[] = {"left", "middle", "right"};
+static const enum canvas_dash side_dash[] = {CANVAS_SOLID, CANVAS_DASHED};
+static const enum canvas_dash place_dash[] = {CANVAS_SOLID, CANVAS_DASHED, CANVAS_DOTTED};
 
 /* Element `index` of each record of a channel, NULL with a reason in c->why where it is not in the run. */
 static double *channel(struct chart *c, const struct run *r, enum run_channel ch, int64_t index)
@@ -29,6 +31,13 @@ static double *stations(struct chart *c, const struct run *r, double behind)
     return x;
 }
 
+/* What the chart shows, and of which run where it is one alone. */
+static void set_title(struct chart *c, const struct run *r, const char *label, const char *what)
+{
+    if (c->panels == 0)
+        c->title = label ? what : chart_words(c, "%s, %s", what, r->name);
+}
+
 /* One force of a wheelset, a panel for each side. */
 static const char *wheel_force(struct chart *c, const struct run *r, const char *label, int64_t wheelset, enum run_channel ch,
                                const char *name)
@@ -36,6 +45,7 @@ static const char *wheel_force(struct chart *c, const struct run *r, const char 
     if (wheelset > r->wheelsets)
         return reason("wheelset %lld: the train has %lld", (long long)wheelset, (long long)r->wheelsets);
     if (c->panels == 0) {
+        c->alike = 1;
         c->x.label = chart_words(c, "station of wheelset %lld (m)", (long long)wheelset);
         for (int side = 0; side < 2; side++)
             chart_add_panel(c, chart_words(c, "%s, %s (kN)", name, side_name[side]), 1e-3);
@@ -51,11 +61,13 @@ static const char *wheel_force(struct chart *c, const struct run *r, const char 
 
 const char *runs_vertical(struct chart *c, const struct run *r, const char *label, const struct runs_choice *choice)
 {
+    set_title(c, r, label, "Vertical wheel force");
     return wheel_force(c, r, label, choice->wheelset, RUN_Q, "Q");
 }
 
 const char *runs_lateral(struct chart *c, const struct run *r, const char *label, const struct runs_choice *choice)
 {
+    set_title(c, r, label, "Lateral wheel force");
     return wheel_force(c, r, label, choice->wheelset, RUN_Y, "Y");
 }
 
@@ -67,20 +79,27 @@ static int64_t find_sleeper(const struct run *r, int64_t number)
     return -1;
 }
 
-/* "left", or "label, left" */
-static const char *joined(struct chart *c, const char *label, const char *part)
+/* The line of one part out of `parts`: with several runs in a chart colours tell them apart, and dashes the parts. */
+static void add_part(struct chart *c, struct chart_panel *panel, const char *label, const char *part, enum canvas_dash dash,
+                     int parts, int64_t n, const double *x, const double *y)
 {
-    return label ? chart_words(c, "%s, %s", label, part) : part;
+    unsigned colour = chart_colour(label ? panel->colours / parts : panel->colours);
+    const char *name = label ? chart_words(c, "%s, %s", label, part) : part;
+    struct chart_series *s = chart_add_series(c, panel, name, n, x, y);
+
+    s->colour = colour;
+    s->dash = dash;
 }
 
 /* A force at the sleepers chosen, a panel for each, `parts` lines [part][sleeper] in each. */
 static const char *at_sleepers(struct chart *c, const struct run *r, const char *label, const struct runs_choice *choice,
-                               enum run_channel ch, const char *name, const char *const *part, int parts)
+                               enum run_channel ch, const char *const *part, const enum canvas_dash *dash, int parts)
 {
     if (c->panels == 0) {
+        c->alike = 1;
         c->x.label = "station of the front wheelset (m)";
         for (int k = 0; k < choice->sleepers; k++)
-            chart_add_panel(c, chart_words(c, "%s %lld (kN)", name, (long long)choice->sleeper[k]), 1e-3);
+            chart_add_panel(c, chart_words(c, "sleeper %lld (kN)", (long long)choice->sleeper[k]), 1e-3);
     }
     double *x = stations(c, r, 0);
     for (int k = 0; x && k < choice->sleepers; k++) {
@@ -90,7 +109,7 @@ static const char *at_sleepers(struct chart *c, const struct run *r, const char 
         for (int p = 0; p < parts; p++) {
             double *force = channel(c, r, ch, p * r->sleepers + sleeper);
             if (force)
-                chart_add_series(c, &c->panel[k], joined(c, label, part[p]), r->records, x, force);
+                add_part(c, &c->panel[k], label, part[p], dash[p], parts, r->records, x, force);
         }
     }
     return c->why;
@@ -98,17 +117,19 @@ static const char *at_sleepers(struct chart *c, const struct run *r, const char 
 
 const char *runs_pads(struct chart *c, const struct run *r, const char *label, const struct runs_choice *choice)
 {
-    return at_sleepers(c, r, label, choice, RUN_PAD, "sleeper", side_name, 2);
+    set_title(c, r, label, "Force of the railpads on sleepers");
+    return at_sleepers(c, r, label, choice, RUN_PAD, side_name, side_dash, 2);
 }
 
 const char *runs_ballast(struct chart *c, const struct run *r, const char *label, const struct runs_choice *choice)
 {
-    return at_sleepers(c, r, label, choice, RUN_BALLAST_F, "sleeper", place_name, 3);
+    set_title(c, r, label, "Force on the ballast under sleepers");
+    return at_sleepers(c, r, label, choice, RUN_BALLAST_F, place_name, place_dash, 3);
 }
 
 /* A largest force over sleeper number, a line for each part. */
 static const char *along(struct chart *c, const struct run *r, const char *label, enum run_extreme what, const char *name,
-                         const char *const *part, int parts)
+                         const char *const *part, const enum canvas_dash *dash, int parts)
 {
     double *number = chart_numbers(c, r->sleepers);
 
@@ -121,18 +142,20 @@ static const char *along(struct chart *c, const struct run *r, const char *label
     for (int64_t k = 0; number && k < r->sleepers; k++)
         number[k] = (double)r->sleeper_number[k];
     for (int p = 0; number && p < parts; p++)
-        chart_add_series(c, &c->panel[0], joined(c, label, part[p]), r->sleepers, number, r->extreme[what] + p * r->sleepers);
+        add_part(c, &c->panel[0], label, part[p], dash[p], parts, r->sleepers, number, r->extreme[what] + p * r->sleepers);
     return c->why;
 }
 
 const char *runs_max_pads(struct chart *c, const struct run *r, const char *label, const struct runs_choice *choice)
 {
     (void)choice;
-    return along(c, r, label, RUN_MAX_PAD, "largest force on the sleeper (kN)", side_name, 2);
+    set_title(c, r, label, "Largest force of each railpad");
+    return along(c, r, label, RUN_MAX_PAD, "force on the sleeper (kN)", side_name, side_dash, 2);
 }
 
 const char *runs_max_ballast(struct chart *c, const struct run *r, const char *label, const struct runs_choice *choice)
 {
     (void)choice;
-    return along(c, r, label, RUN_MAX_BALLAST, "largest force on the ballast (kN)", place_name, 3);
+    set_title(c, r, label, "Largest force on the ballast");
+    return along(c, r, label, RUN_MAX_BALLAST, "force on the ballast (kN)", place_name, place_dash, 3);
 }
