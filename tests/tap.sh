@@ -40,6 +40,14 @@ like()
     [ $tap_like -eq 0 ] || printf 'got:\n%s\nshould match: %s\n' "$1" "$2" | sed 's/^/# /'
 }
 
+# between GOT LEAST MOST WHAT: a number within its bounds; says it.
+between()
+{
+    echo "# $4: $1"
+    awk -v got="$1" -v least="$2" -v most="$3" 'BEGIN {exit !(got ~ /^[-+.0-9]/ && got + 0 >= least + 0 && got + 0 <= most + 0)}'
+    ok $? "$4: from $2 to $3"
+}
+
 # fails STATUS WHAT COMMAND...: this exit status, one line on stderr that begins with the program's name, nothing on stdout.
 # The line stays in $dir/err.
 fails()
