@@ -123,7 +123,7 @@ clean:                      ## remove everything built
 	rm -rf $(BUILD) out
 
 help:                       ## this list
-	@sed -n 's/^\([a-z]*\):.*## \(.*\)/\1	\2/p' Makefile | expand -t 12
+	@sed -n 's/^\([a-z]*\):.*## \(.*\)/\1	\2/p' $(filter Makefile %.mk,$(MAKEFILE_LIST)) | expand -t 12
 
 include pipelines/demo.mk
 include tests/bench/bench.mk

@@ -32,6 +32,17 @@ is "$(vxdump --mat "$dir/t.trk" | head -c 38)" "MATLAB 5.0 MAT-file, written by 
 vxdump --hdf5 "$dir/t.trk" | head -c 8 | od -A n -t x1 | grep -q '89 48 44 46 0d 0a 1a 0a'
 ok $? "everything as HDF5"
 
+# A long track gives time to interrupt; were it too fast, nothing would be left either.
+vxtrack --set length=6000 -o "$dir/long.trk" $input
+vxdump -o "$dir/cut" "$dir/long.trk" A.i K.x M.x C.x &
+while kill -0 $! 2>/dev/null && [ -z "$(find "$dir" -name 'cut.*')" ]; do :; done
+seen=$(find "$dir" -name 'cut.*' | wc -l)
+kill -TERM $! 2>/dev/null
+wait $! 2>/dev/null
+status=$?
+[ -z "$(find "$dir" -name 'cut.*')" ]
+ok $? "terminated, it leaves no temporary (there were $((seen)), status $status)"
+
 rm -f "$dir/new"
 fails 1 "arrays of two lengths" vxdump -o "$dir/new" "$dir/t.trk" x pad.k
 like "$(cat "$dir/err")" 'x has 50 rows, pad.k has 2: name arrays of one length' "says so"

@@ -6,6 +6,7 @@
 #include "tools/cli/cli_private.h"
 
 #include <errno.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -21,8 +22,28 @@ void cli_remove_outputs(void)
             unlink(open_outputs[i]->temporary);
 }
 
+/* Interrupted or terminated: no temporary stays.  unlink and raise may be called in a handler; SA_RESETHAND lets raise end the program. */
+static void interrupted(int signal)
+{
+    cli_remove_outputs();
+    raise(signal);
+}
+
+static void catch_signals(void)
+{
+    static const int signals[] = {SIGHUP, SIGINT, SIGPIPE, SIGTERM};
+    struct sigaction action = {.sa_handler = interrupted, .sa_flags = SA_RESETHAND};
+
+    for (size_t k = 0; k < sizeof signals / sizeof *signals; k++) {
+        struct sigaction before;
+        if (sigaction(signals[k], NULL, &before) == 0 && before.sa_handler == SIG_DFL)
+            sigaction(signals[k], &action, NULL);
+    }
+}
+
 static void enrol(struct cli_out *out)
 {
+    catch_signals();
     for (int i = 0; i < OUTPUTS; i++)
         if (!open_outputs[i]) {
             open_outputs[i] = out;
