@@ -10,12 +10,16 @@ static const char *const laws[] = {"hertz", "linear", NULL};
 #define IN_CONTACT(member) (AT(contact.member) - AT(contact))
 static const struct yaml_schema contact_schema = {
     "contact", sizeof((struct case_text *)0)->contact, (const struct yaml_field[]){
-        {"law", YAML_CHOICE, IN_CONTACT(law), 0, 0, "", "hertz", "normal force: Hertz, or a linear spring and damper", NULL, laws},
-        {"stiffness", YAML_NUM, IN_CONTACT(stiffness), YAML_POSITIVE, YAML_NO_LIMIT, "N/m", "141e6", "linear law: wheel to massless point", NULL, NULL},
-        {"damping", YAML_NUM, IN_CONTACT(damping), 0, YAML_NO_LIMIT, "N.s/m", "30e3", "linear law: beside that spring", NULL, NULL},
+        {"law", YAML_CHOICE, IN_CONTACT(law), 0, 0, "", "hertz",
+         "normal force: Hertz, or a linear spring and damper", NULL, laws},
+        {"stiffness", YAML_NUM, IN_CONTACT(stiffness), YAML_POSITIVE, YAML_NO_LIMIT, "N/m", "141e6",
+         "linear law: wheel to massless point", NULL, NULL},
+        {"damping", YAML_NUM, IN_CONTACT(damping), 0, YAML_NO_LIMIT, "N.s/m", "30e3",
+         "linear law: beside that spring", NULL, NULL},
         {"series", YAML_NUM, IN_CONTACT(series), YAML_POSITIVE, YAML_NO_LIMIT, "N/m", "5000e6", "linear law: massless point to rail, condensed with the two before",
          NULL, NULL},
-        {"hertz_damping", YAML_NUM, IN_CONTACT(hertz_damping), 0, 10, "s/m", "0", "Hertz law: N = C d^1.5 (1 + this times the rate of d)", NULL, NULL},
+        {"hertz_damping", YAML_NUM, IN_CONTACT(hertz_damping), 0, 10, "s/m", "0",
+         "Hertz law: N = C d^1.5 (1 + this times the rate of d)", NULL, NULL},
         {"grid", YAML_INT, IN_CONTACT(grid), 2, 200, "1", "10", "strips of FASTSIM, and steps of a strip", NULL, NULL},
         {0},
     }};
@@ -35,9 +39,12 @@ static const struct yaml_schema channels_schema = {
 
 static const struct yaml_schema dip_schema = {
     "dip", sizeof(struct case_dip), (const struct yaml_field[]){
-        {"from", YAML_NUM, offsetof(struct case_dip, from), -YAML_NO_LIMIT, YAML_NO_LIMIT, "m", NULL, "station where it begins", NULL, NULL},
-        {"length", YAML_NUM, offsetof(struct case_dip, length), YAML_POSITIVE, YAML_NO_LIMIT, "m", NULL, "its length", NULL, NULL},
-        {"depth", YAML_NUM, offsetof(struct case_dip, depth), -0.05, 0.05, "m", NULL, "depth/2 (1 - cos) of both rails, down", NULL, NULL},
+        {"from", YAML_NUM, offsetof(struct case_dip, from), -YAML_NO_LIMIT, YAML_NO_LIMIT, "m", NULL,
+         "station where it begins", NULL, NULL},
+        {"length", YAML_NUM, offsetof(struct case_dip, length), YAML_POSITIVE, YAML_NO_LIMIT, "m", NULL,
+         "its length", NULL, NULL},
+        {"depth", YAML_NUM, offsetof(struct case_dip, depth), -0.05, 0.05, "m", NULL,
+         "depth/2 (1 - cos) of both rails, down", NULL, NULL},
         {0},
     }};
 
@@ -53,12 +60,14 @@ const struct yaml_schema case_schema = {
         {"route", YAML_CHOICE, AT(route), 0, 0, "", "through", "which route track and sections describe", NULL, routes},
         {"direction", YAML_CHOICE, AT(direction), 0, 0, "", "facing", "facing: with increasing station", NULL, directions},
         {"friction", YAML_NUM, AT(friction), 0.01, 1, "1", "0.30", "coefficient of friction", NULL, NULL},
-        {"start", YAML_NUM, AT(start), -YAML_NO_LIMIT, YAML_NO_LIMIT, "m", "-60", "station of the front wheelset at the start", NULL, NULL},
+        {"start", YAML_NUM, AT(start), -YAML_NO_LIMIT, YAML_NO_LIMIT, "m", "-60",
+         "station of the front wheelset at the start", NULL, NULL},
         {"end", YAML_NUM, AT(end), -YAML_NO_LIMIT, YAML_NO_LIMIT, "m", "60", "and at the end", NULL, NULL},
         {"step", YAML_NUM, AT(step), 1e-7, 1e-3, "s", "1e-4", "time step", NULL, NULL},
         {"scheme", YAML_CHOICE, AT(scheme), 0, 0, "", "explicit", "time integration", NULL, schemes},
         {"contact", YAML_MAP, AT(contact), 0, 0, "", "{}", "wheel on rail", &contact_schema, NULL},
-        {"sampling", YAML_NUM, AT(sampling), 1, 1e7, "Hz", "1000", "records a second; 1/step or more is every step", NULL, NULL},
+        {"sampling", YAML_NUM, AT(sampling), 1, 1e7, "Hz", "1000",
+         "records a second; 1/step or more is every step", NULL, NULL},
         {"channels", YAML_MAP, AT(channels), 0, 0, "", "{}", "groups of channels to record", &channels_schema, NULL},
         {"dip", YAML_LIST, AT(dip), 0, 0, "", "[]", "dips of both rails", &dip_schema, NULL},
         {0},

@@ -1,7 +1,7 @@
 /* Interpolation within branches of contact.
  *
  * The rows at the eight corners of the table's cell are joined to branches: rows of one body whose place on the wheel differs by less
- * than BRANCH.  A branch is the mean of its corners by their trilinear weights, divided by their sum W; W itself is the branch's
+ * than BRANCH at one station, by less than STATION_BRANCH from one station to the next.  A branch is the mean of its corners by their trilinear weights, divided by their sum W; W itself is the branch's
  * weight, so a branch that some corners lack fades in and out continuously across the cell.  Along u the height is exact to
  * second order: a branch at both ends of an edge gets half of each end's slope (the parabola through both), at one end its tangent.
  *
@@ -11,7 +11,8 @@
 
 #include <math.h>
 
-#define BRANCH 8e-3           /* m; the edge of a wing rail moves 6 mm between sections 0.1 m apart */
+#define BRANCH 4e-3           /* m, as search.h keeps minima apart */
+#define STATION_BRANCH 8e-3   /* m; the edge of a wing rail moves 6 mm between sections 0.1 m apart */
 
 enum { CORNERS = 8 };         /* bit 0 u, bit 1 yaw, bit 2 station */
 
@@ -25,8 +26,8 @@ struct cell {
 
 struct branch {
     int held;                       /* bits of corners */
-    int rows;
-    double wheel_y, body;           /* mean place of its rows */
+    int rows, station;              /* of the corners joined last: how many, and at which station of the two */
+    double wheel_y, body;           /* mean place of those rows */
     const double *row[CORNERS];
 };
 
@@ -90,16 +91,17 @@ static void cell_corners(const struct ctab *t, double s, double yaw, double u, s
 static int join_corner(const struct cell *c, int k, struct branch *b, int n)
 {
     unsigned left = (1u << c->count[k]) - 1;
-    int old = n;
+    int old = n, station = k >> 2;
 
     while (left) {
-        double best = BRANCH;
+        double best = STATION_BRANCH;
         int at = -1, from = -1;
         for (int i = 0; i < c->count[k]; i++)
             for (int j = 0; j < old && left >> i & 1; j++) {
                 const double *row = c->row[k] + i * CTAB_N;
                 double far = fabs(row[CTAB_WHEEL_Y] - b[j].wheel_y);
-                if (far < best && row[CTAB_BODY] == b[j].body && !(b[j].held >> k & 1)) {
+                if (far < (b[j].station == station ? fmin(best, BRANCH) : best) && row[CTAB_BODY] == b[j].body &&
+                    !(b[j].held >> k & 1)) {
                     best = far;
                     at = j;
                     from = i;
@@ -108,6 +110,10 @@ static int join_corner(const struct cell *c, int k, struct branch *b, int n)
         if (at < 0)
             break;
         const double *row = c->row[k] + from * CTAB_N;
+        if (b[at].station != station) {
+            b[at].station = station;
+            b[at].rows = 0;
+        }
         b[at].wheel_y += (row[CTAB_WHEEL_Y] - b[at].wheel_y) / ++b[at].rows;
         b[at].held |= 1 << k;
         b[at].row[k] = row;
@@ -116,7 +122,7 @@ static int join_corner(const struct cell *c, int k, struct branch *b, int n)
     for (int i = 0; i < c->count[k] && n < CONTACT_MAX; i++)
         if (left >> i & 1) {
             const double *row = c->row[k] + i * CTAB_N;
-            b[n] = (struct branch){.held = 1 << k, .rows = 1, .wheel_y = row[CTAB_WHEEL_Y], .body = row[CTAB_BODY]};
+            b[n] = (struct branch){.held = 1 << k, .rows = 1, .station = station, .wheel_y = row[CTAB_WHEEL_Y], .body = row[CTAB_BODY]};
             b[n++].row[k] = row;
         }
     return n;
