@@ -1,9 +1,10 @@
 /* Interpolation within branches of contact.
  *
- * The rows at the eight corners of the table's cell are joined to branches: rows of one body whose place on the wheel differs by less
- * than BRANCH at one station, by less than STATION_BRANCH from one station to the next.  A branch is the mean of its corners by
- * their trilinear weights, divided by their sum W; W itself is the branch's weight, so a branch that some corners lack fades in and out continuously across the cell.  Along u the height is exact to
- * second order: a branch at both ends of an edge gets half of each end's slope (the parabola through both), at one end its tangent.
+ * The rows at the eight corners of the table's cell are joined to branches: rows of one body whose place on the wheel differs by
+ * less than BRANCH at one station, by less than STATION_BRANCH from one station to the next.  A branch is the mean of its corners
+ * by their trilinear weights, divided by their sum W; W itself is the branch's weight, so a branch that some corners lack fades in
+ * and out continuously across the cell.  Along u the height is exact to second order: a branch at both ends of an edge gets half of
+ * each end's slope (the parabola through both), at one end its tangent.
  *
  * Roll carries the height to second order, d2(height)/d(roll)2 = -(1 + height_u^2) d(contact's y)/d(roll), and the place of the contact to
  * first. */
