@@ -246,6 +246,7 @@ double lumped_sample(const struct lumped *l, int rail, const struct lumped_place
     return f[0] * w[0] + f[1] * t[0] + f[2] * w[1] + f[3] * t[1];
 }
 
+/* The shares of the force at the ends, and off the element's own end moments those of its held ends. */
 void lumped_load(struct lumped *l, int rail, const struct lumped_place *p, double F)
 {
     int64_t w = (rail ? LUMPED_WR : LUMPED_WL) * l->stride + p->node;
@@ -255,6 +256,8 @@ void lumped_load(struct lumped *l, int rail, const struct lumped_place *p, doubl
     l->a[t] += F * p->shape[1] * l->inverse[t];
     l->a[w + 1] += F * p->shape[2] * l->inverse[w + 1];
     l->a[t + 1] += F * p->shape[3] * l->inverse[t + 1];
+    l->near[rail][LANES + p->node] -= F * p->shape[1];
+    l->far[rail][LANES + p->node] -= F * p->shape[3];
 }
 
 /* M = -EI w'' is positive where the rail sags, so near = EI w'' = -M and far = -EI w'' = M.  The element behind a node and the one

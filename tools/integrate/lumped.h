@@ -47,7 +47,7 @@ struct lumped_place lumped_find(const struct lumped *l, int rail, double x);
 /* f.[w t w t] with the shape or slope functions f, of the state u or v. */
 double lumped_sample(const struct lumped *l, int rail, const struct lumped_place *p, const double f[4], const double *state);
 
-/* Adds to a what a force F down at the place gives. */
+/* Adds to a, and to the end moments of the element, what a force F down at the place gives. */
 void lumped_load(struct lumped *l, int rail, const struct lumped_place *p, double F);
 
 /* Bending moment N m at the nodes of a rail into m[n], positive with tension in the foot. */

@@ -1,0 +1,107 @@
+/* Tracks, vehicles and contact tables for tests of a passage; run from the project root.
+ *
+ * The tables stand for a wheel that touches a plane rail with its running circle alone, so contact has closed forms: contact angle g
+ * everywhere, height u tan g, contact at the running circle's lowest point. */
+#ifndef VX_RIG_H
+#define VX_RIG_H
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "formats/ctab.h"
+#include "formats/trk_text.h"
+#include "formats/veh_text.h"
+#include "tools/integrate/passage.h"
+#include "tools/track/assemble.h"
+#include "tools/track/layout.h"
+#include "tools/vehicle/vehicle.h"
+
+#define RIG_STRAIGHT "data/tracks/thesis-straight.yaml"
+#define RIG_TURNOUT "data/tracks/60E1-R760-1-15-diverging.yaml"
+#define RIG_COACH "data/vehicles/manchester-passenger.yaml"
+#define RIG_WHEELSET "data/vehicles/wheelset.yaml"
+
+/* Hertz's coefficients of a new wheel on a new rail, by their order of size. */
+#define RIG_HERTZ_C 9e10 /* N/m^1.5 */
+#define RIG_HERTZ_A 1.3e-4 /* m/N^(1/3) */
+#define RIG_HERTZ_B 1.0e-4
+
+enum { RIG_US = 3 };
+#define RIG_REACH 0.02 /* m, of u */
+
+struct rig_table {
+    struct ctab ctab;
+    double station[1], yaw[1], u[RIG_US], contact[RIG_US][CTAB_N];
+    uint8_t count[RIG_US];
+};
+
+/* A plane under contact angle g, rail and running circle at y = +-0.75 m. */
+static inline void rig_table(struct rig_table *t, char side, double g)
+{
+    double position = side == 'r' ? 0.75 : -0.75;
+
+    memset(t, 0, sizeof *t);
+    for (int i = 0; i < RIG_US; i++) {
+        double u = RIG_REACH * (i - 1), *row = t->contact[i];
+        t->u[i] = u;
+        t->count[i] = 1;
+        row[CTAB_HEIGHT] = row[CTAB_RAIL_Z] = u * tan(g);
+        row[CTAB_RAIL_Y] = u;
+        row[CTAB_ANGLE] = g;
+        row[CTAB_RADIUS] = 0.46;
+        row[CTAB_HERTZ_C] = RIG_HERTZ_C;
+        row[CTAB_HERTZ_A] = RIG_HERTZ_A;
+        row[CTAB_HERTZ_B] = RIG_HERTZ_B;
+        row[CTAB_HEIGHT_U] = tan(g);
+    }
+    t->ctab = (struct ctab){.side = side, .yaw_method = "none", .shear_modulus = 82e9, .poisson = 0.28, .radius = 0.46,
+                            .rail_position = position, .wheel_position = position, .stations = 1, .yaws = 1, .us = RIG_US, .slots = 1,
+                            .station = t->station, .yaw = t->yaw, .u = t->u, .count = t->count, .contact = t->contact[0]};
+}
+
+/* set: [sets] "key=value". */
+static inline const char *rig_track(struct trk *t, const char *path, const char *const *set, int sets)
+{
+    struct trk_text in;
+    const char *why;
+
+    memset(t, 0, sizeof *t);
+    if ((why = trk_text_read(&in, path, (char *const *)set, sets, NULL)))
+        return why;
+    why = layout_track(t, &in);
+    trk_text_free(&in);
+    return why ? why : assemble_track(t);
+}
+
+static inline const char *rig_vehicle(struct veh *v, const char *path)
+{
+    struct veh_text in;
+    const char *why;
+
+    memset(v, 0, sizeof *v);
+    if ((why = veh_text_read(&in, path, NULL, 0, NULL)))
+        return why;
+    why = vehicle_build(v, &in);
+    veh_text_free(&in);
+    return why;
+}
+
+/* 80 km/h, Hertz, without friction. */
+static inline struct passage_options rig_options(double start, double end)
+{
+    struct passage_options o = {.speed = 80 / 3.6, .start = start, .end = end, .step = 1e-4,
+                                .law = {.normal = WHEEL_HERTZ, .stiffness = 1e9, .step = 1e-4}};
+
+    fastsim_begin(&o.law.grid, 10);
+    return o;
+}
+
+/* Repeatable numbers within -1..1. */
+static inline double rig_draw(unsigned *state)
+{
+    *state = *state * 1664525u + 1013904223u;
+    return (double)(*state >> 8) / 8388608.0 - 1;
+}
+
+#endif
