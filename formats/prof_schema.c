@@ -39,6 +39,14 @@ static const struct yaml_schema blade_schema = {"switch_rail", sizeof ((struct t
 static const struct yaml_schema wing_schema = {"wing_rail", sizeof ((struct turnout_text *)0)->wing, (const struct yaml_field[]){
     {"flangeway", YAML_NUM, offsetof(struct turnout_text, wing.flangeway) - offsetof(struct turnout_text, wing), YAML_POSITIVE,
      0.1, "m", NULL, "between wing rail and nose", NULL, NULL},
+    {"edge_radius", YAML_NUM, offsetof(struct turnout_text, wing.edge_radius) - offsetof(struct turnout_text, wing),
+     YAML_POSITIVE, 0.013, "m", "0.006", "rounding of the machined top's edge", NULL, NULL},
+    {"crown_radius", YAML_NUM, offsetof(struct turnout_text, wing.crown_radius) - offsetof(struct turnout_text, wing),
+     YAML_POSITIVE, 1, "m", "0.08", "of the machined top, from the edge to where it is level", NULL, NULL},
+    {"level", YAML_NUM, offsetof(struct turnout_text, wing.level) - offsetof(struct turnout_text, wing), YAML_POSITIVE,
+     0.05, "m", "0.0125", "from the edge to where the machined top is level", NULL, NULL},
+    {"blend", YAML_NUM, offsetof(struct turnout_text, wing.blend) - offsetof(struct turnout_text, wing), YAML_POSITIVE,
+     0.1, "m", "0.03", "distance from the running edge where the top is machined in full, from nothing at the throat", NULL, NULL},
     {"raise", YAML_PAIRS, offsetof(struct turnout_text, wing.raise) - offsetof(struct turnout_text, wing), 0, 1, "m", NULL,
      "[distance from the running edge, top above the plain rail's]", NULL, NULL},
     {0}}};

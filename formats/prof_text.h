@@ -38,6 +38,10 @@ struct turnout_text {
     } blade;
     struct {
         double flangeway;          /* m, between wing rail and nose: fixes the throat */
+        double edge_radius;        /* m, of the machined top */
+        double crown_radius;       /* m, of the machined top between its edge and where it is level */
+        double level;              /* m, from the edge to where the top is level */
+        double blend;              /* m, distance from the running edge at which the top is machined in full */
         struct yaml_nums raise;    /* [distance from the running edge m, height of its top above the rail's m] */
     } wing;
     struct {

@@ -108,6 +108,41 @@ const char *head_blade(const struct section *rail, double thickness, double lowe
     return why;
 }
 
+/* Top and gauge side of a machined wing rail before its edge is rounded; y_top is where the plain rail is highest. */
+static double wing_height(const struct outline *plain, double y, double y_top, double y_level, double crown_radius)
+{
+    double short_of = fmax(y_level - y, 0), flank = plain->z[0] + plain->slope[0] * (y - plain->y[0]);
+
+    return y >= y_top ? outline_height(plain, y) : fmax(flank, short_of * short_of / (2 * crown_radius));
+}
+
+const char *head_wing(const struct section *rail, double share, const struct head_top *top, const struct head_options *o,
+                      struct outline *wing)
+{
+    const struct outline *plain = &rail->outline;
+    double from = plain->y[0], y_level = rail->gauge_face + top->level;
+    int64_t highest = 0, n = (int64_t)((plain->y[plain->n - 1] - from) / STEP) + 1;
+
+    *wing = (struct outline){0};
+    for (int64_t i = 1; i < plain->n; i++)
+        if (plain->z[i] < plain->z[highest])
+            highest = i;
+    if (y_level > plain->y[highest])
+        return reason("a wing rail level from %g mm behind its edge on: the rail is highest there already at %.3g mm", 1e3 * top->level,
+                      1e3 * (plain->y[highest] - rail->gauge_face));
+    double *z = calloc((size_t)n * 2, sizeof *z);
+    if (!z)
+        return REASON_MEMORY;
+    for (int64_t i = 0; i < n; i++)
+        z[i] = wing_height(plain, from + (double)i * STEP, plain->y[highest], y_level, top->crown_radius);
+    head_round(n, STEP, o->edge_radius, z, z + n);
+    for (int64_t i = 0; i < n; i++)
+        z[i] = share * z[i] + (1 - share) * outline_height(plain, from + (double)i * STEP);
+    const char *why = head_outline(n, from, z, plain->z[0], o, o->edge_radius, wing);
+    free(z);
+    return why;
+}
+
 const char *head_nose(const struct section *rail, double width, double lowering, const struct head_options *o,
                       struct outline *nose)
 {

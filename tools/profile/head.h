@@ -1,4 +1,4 @@
-/* Rail heads cut by machining: switch rail and nose.
+/* Rail heads cut by machining: switch rail, wing rail and nose.
  *
  * A right rail: y to the right, field side positive, z down from the top of the plain rail, the gauge face at -y.  What is left
  * of a head lies below all the surfaces it is cut by, so its own is the deepest of them; its edges are then rounded by the
@@ -23,6 +23,16 @@ const char *head_blade(const struct section *rail, double thickness, double lowe
  * them is the mirror image of the left. */
 const char *head_nose(const struct section *rail, double width, double lowering, const struct head_options *o,
                       struct outline *nose);
+
+struct head_top {
+    double level;             /* m from the gauge face: from here to the plain rail's top the machined one is level */
+    double crown_radius;      /* m, of the crown between there and the edge */
+};
+
+/* The head of a wing rail, by `share` between the plain rail (0) and one with a machined top (1).  Machined, the gauge side goes straight up
+ * to a crown that carries a cone near the edge; the field side is that of the plain rail. */
+const char *head_wing(const struct section *rail, double share, const struct head_top *top, const struct head_options *o,
+                      struct outline *wing);
 
 /* Heights z[n] (m) at even steps of y become the upper edge of all discs of radius r that fit below them; INFINITY is no
  * material.  work[n]. */

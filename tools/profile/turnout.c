@@ -45,6 +45,20 @@ static const char *rail_moved(const struct section *rail, double out, double up,
     return NULL;
 }
 
+/* The machined top grows out of the plain rail's with the distance from the running edge, smoothly at both ends. */
+static const char *rail_wing(const struct turnout_text *t, const struct section *rail, double smoothing, double spacing, double distance,
+                             struct outline *o)
+{
+    struct head_top top = {t->wing.level, t->wing.crown_radius};
+    double part = fmin(distance / t->wing.blend, 1);
+    const char *why = head_wing(rail, part * part * (3 - 2 * part), &top,
+                                &(struct head_options){t->wing.edge_radius, smoothing, spacing}, o);
+
+    if (!why)
+        outline_shift(o, distance, -table_at(&t->wing.raise, distance));
+    return why;
+}
+
 const char *turnout_body(const struct turnout_text *t, const struct plan *plan, const struct section *rail, double smoothing,
                          double spacing, int body, double s, struct outline *o)
 {
@@ -59,7 +73,7 @@ const char *turnout_body(const struct turnout_text *t, const struct plan *plan, 
         if (s < t->blade.tip || wing > t->reach)
             return NULL;
         if (wing > 0)
-            return rail_moved(rail, wing, table_at(&t->wing.raise, wing), o);
+            return rail_wing(t, rail, smoothing, spacing, wing, o);
         if (stock > head && lowering == 0)
             return rail_moved(rail, 0, 0, o);
         return head_blade(rail, stock, lowering, &(struct head_options){t->blade.edge_radius, smoothing, spacing}, o);
