@@ -211,19 +211,26 @@ static void share_loads(struct rest *r, double *change)
 
 /* ---- all of it ---- */
 
+/* The spin turns the creep force, which carries a little of the load: heights again after it. */
+static const char *settle_wheels(struct rest *r)
+{
+    const char *why = settle_wheelsets(r);
+
+    for (int64_t i = 0; i < r->p->vehicle->wheelsets && !why; i++)
+        why = settle_spin(r, i);
+    return why ? why : settle_wheelsets(r);
+}
+
 static const char *settle(struct rest *r)
 {
     const struct veh *v = r->p->vehicle;
     const char *why = NULL;
-    double change = 1e30;
+    double change = HUGE_VAL;
 
     memcpy(r->load, v->wheel_load, (size_t)(2 * v->wheelsets) * sizeof *r->load);
-    for (int i = 0; i < ROUNDS_MOST && change > LOAD_TOLERANCE && !why; i++) {
-        if (!(why = settle_track(r)) && !(why = settle_wheelsets(r)) && !(why = settle_bodies(r)))
+    for (int i = 0; i < ROUNDS_MOST && change > LOAD_TOLERANCE && !why; i++)
+        if (!(why = settle_track(r)) && !(why = settle_wheels(r)) && !(why = settle_bodies(r)))
             share_loads(r, &change);
-    }
-    for (int64_t i = 0; i < v->wheelsets && !why; i++)
-        why = settle_spin(r, i);
     if (!why && change > LOAD_TOLERANCE)
         why = reason("no static equilibrium found: wheel loads still change by %.3g N", change);
     return why;
