@@ -12,6 +12,7 @@
 enum { ROUNDS_MOST = 30, HEIGHT_MOST = 60 };
 #define LOAD_TOLERANCE 1e-3   /* N */
 #define HEIGHT_TOLERANCE 1e-3 /* N, of a wheel load found by its height */
+#define SIDEWAYS_MOST 0.01    /* sum of Y over the load of a wheelset; a load off centre gives some */
 
 struct rest {
     struct passage *p;
@@ -236,12 +237,35 @@ static const char *settle(struct rest *r)
     return why;
 }
 
+/* Frames count from the tangent at the beginning of the alignment, on which all bodies must still stand. */
+static const char *check_straight(const struct passage *p)
+{
+    for (int64_t i = 0; i < p->vehicle->bodies; i++)
+        if (p->train.line[i].heading != 0 || p->train.line[i].offset != 0)
+            return reason("%s would start in or behind a curve: the start is found on straight track only, before %g m",
+                          p->vehicle->body_name[i], p->alignment.x[0]);
+    return NULL;
+}
+
+static const char *check_sideways(const struct passage *p)
+{
+    for (int64_t i = 0; i < p->vehicle->wheelsets; i++) {
+        double Y = p->wheel[2 * i].Y + p->wheel[2 * i + 1].Y, Q = p->wheel[2 * i].Q + p->wheel[2 * i + 1].Q;
+        if (fabs(Y) > SIDEWAYS_MOST * Q)
+            return reason("wheelset %lld is pushed sideways by %.3g N where it starts: the start is found only where both sides are alike",
+                          (long long)i + 1, fabs(Y));
+    }
+    return NULL;
+}
+
 /* The forces of that state; the motion begins with these accelerations. */
 static const char *begin(struct passage *p, double *residual)
 {
     const char *why = passage_forces(p);
 
     *residual = 0;
+    if (!why)
+        why = check_sideways(p);
     if (why)
         return why;
     for (int64_t i = 0; i < p->vehicle->bodies; i++)
@@ -259,6 +283,8 @@ const char *passage_start(struct passage *p, double *residual)
     const char *why;
 
     train_locate(&p->train, &p->alignment, p->station);
+    if ((why = check_straight(p)))
+        return why;
     r.f = calloc((size_t)p->track->dofs, sizeof *r.f);
     r.u = calloc((size_t)p->track->dofs, sizeof *r.u);
     r.load = calloc(wheels, sizeof *r.load);
