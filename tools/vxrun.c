@@ -166,11 +166,11 @@ static void show_progress(const struct passage *p)
     }
 }
 
-/* The header goes out first, then blocks as they fill, then the extremes. */
+/* The header goes out first, then blocks as they fill, then the extremes.  A passage that fails leaves its samples up to there. */
 static void write_run(struct passage *p, struct record *r, struct vxf_out *head, struct cli_out *out)
 {
     struct vxf_stream stream;
-    const char *why = vxf_stream_begin(&stream, head, out->file);
+    const char *why = vxf_stream_begin(&stream, head, out->file), *failed = NULL;
     int full = record_step(r, p);
 
     for (; !why && p->n < p->steps; full = record_step(r, p)) {
@@ -178,15 +178,16 @@ static void write_run(struct passage *p, struct record *r, struct vxf_out *head,
             why = vxf_stream_block(&stream, r->held, r->series);
             r->held = 0;
         }
-        if (!why)
-            cli_check("run", passage_step(p));
+        if (why || (failed = passage_step(p)))
+            break;
         show_progress(p);
     }
     if (!why)
         why = vxf_stream_block(&stream, r->held, r->series);
-    if (!why)
+    if (!why && !failed)
         why = vxf_stream_end(&stream, (const void *const *)r->extreme);
     cli_check(opt.out ? opt.out : "standard output", why);
+    cli_check("run", failed);
 }
 
 static void describe(const struct inputs *in, struct record *r, struct vxf_out *head)
