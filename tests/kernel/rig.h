@@ -74,13 +74,13 @@ static inline const char *rig_track(struct trk *t, const char *path, const char 
     return why ? why : assemble_track(t);
 }
 
-static inline const char *rig_vehicle(struct veh *v, const char *path)
+static inline const char *rig_vehicle(struct veh *v, const char *path, const char *const *set, int sets)
 {
     struct veh_text in;
     const char *why;
 
     memset(v, 0, sizeof *v);
-    if ((why = veh_text_read(&in, path, NULL, 0, NULL)))
+    if ((why = veh_text_read(&in, path, (char *const *)set, sets, NULL)))
         return why;
     why = vehicle_build(v, &in);
     veh_text_free(&in);
