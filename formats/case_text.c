@@ -49,7 +49,7 @@ static const struct yaml_schema dip_schema = {
     }};
 
 #define FILE_FIELD(key, text) {#key, YAML_TEXT, AT(key), 0, 0, "", YAML_ABSENT, text, NULL, NULL}
-const struct yaml_schema case_schema = {
+const struct yaml_schema case_text_schema = {
     "case", sizeof(struct case_text), (const struct yaml_field[]){
         {"name", YAML_TEXT, AT(name), 0, 0, "", NULL, "of the case, for titles", NULL, NULL},
         FILE_FIELD(track, ".trk file, relative to the case"),

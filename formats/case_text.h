@@ -1,6 +1,6 @@
-/* A case: one passage, as people write it: case(5). */
-#ifndef VX_CASE_TEXT_H
-#define VX_CASE_TEXT_H
+/* A case: one passage, as people write it: case-input(5).  SI, but for the speed. */
+#ifndef VX_FORMATS_CASE_TEXT_H
+#define VX_FORMATS_CASE_TEXT_H
 
 #include "formats/run.h"
 #include "formats/yaml.h"
@@ -18,7 +18,7 @@ struct case_text {
     char *contact_left, *contact_right;
     double speed;                            /* km/h: the one input that is not SI */
     int route, direction;                    /* enum case_route; facing is the only direction */
-    double friction;
+    double friction;                         /* 1 */
     double start, end;                       /* m, stations of the front wheelset */
     double step;                             /* s */
     int scheme;                              /* explicit is the only one */
@@ -33,6 +33,6 @@ struct case_text {
     struct yaml_list dip;                    /* of struct case_dip */
 };
 
-extern const struct yaml_schema case_schema;
+extern const struct yaml_schema case_text_schema;
 
 #endif

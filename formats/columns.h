@@ -1,7 +1,7 @@
 /* Tables as text: a header line of names, then numbers, between blanks, tabs or commas: what vxcontact --rolling-radius,
  * vxdump --csv and the like print. */
-#ifndef VX_COLUMNS_H
-#define VX_COLUMNS_H
+#ifndef VX_FORMATS_COLUMNS_H
+#define VX_FORMATS_COLUMNS_H
 
 #include <stdint.h>
 

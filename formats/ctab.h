@@ -4,8 +4,8 @@
  * u is the wheel's lateral displacement at rail level against its rail (axle's y minus roll times r0, minus the
  * rail's), yaw that of the wheelset about z.  For each local minimum of the gap a node (station, yaw, u) holds a row of
  * CTAB_N numbers in a slot, the first to touch first; slots from count[node] on are zero. */
-#ifndef VX_CTAB_H
-#define VX_CTAB_H
+#ifndef VX_FORMATS_CTAB_H
+#define VX_FORMATS_CTAB_H
 
 #include "formats/vxf.h"
 

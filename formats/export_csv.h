@@ -1,6 +1,6 @@
 /* Arrays as comma-separated columns. */
-#ifndef VX_EXPORT_CSV_H
-#define VX_EXPORT_CSV_H
+#ifndef VX_FORMATS_EXPORT_CSV_H
+#define VX_FORMATS_EXPORT_CSV_H
 
 #include "formats/vxf.h"
 

@@ -1,6 +1,6 @@
 /* Arrays as datasets of an HDF5 file. */
-#ifndef VX_EXPORT_HDF5_H
-#define VX_EXPORT_HDF5_H
+#ifndef VX_FORMATS_EXPORT_HDF5_H
+#define VX_FORMATS_EXPORT_HDF5_H
 
 #include "formats/vxf.h"
 

@@ -1,6 +1,6 @@
 /* Arrays as variables of a MAT file, version 5. */
-#ifndef VX_EXPORT_MAT_H
-#define VX_EXPORT_MAT_H
+#ifndef VX_FORMATS_EXPORT_MAT_H
+#define VX_FORMATS_EXPORT_MAT_H
 
 #include "formats/vxf.h"
 

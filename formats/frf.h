@@ -1,6 +1,6 @@
 /* .frf: receptances of a track, H(f) = displacement over force, exp(+i w t): frf(5). */
-#ifndef VX_FRF_H
-#define VX_FRF_H
+#ifndef VX_FORMATS_FRF_H
+#define VX_FORMATS_FRF_H
 
 #include "formats/vxf.h"
 

@@ -33,7 +33,7 @@ const char *mod_read(struct mod *m, const struct vxf *f)
     letters[0] = shape[0] = n[0];
     letters[1] = sizeof m->name[0];
     shape[1] = -1;
-    if ((why = vxf_get(f, "name", VXF_U8, "1", 2, letters, &name)) || (why = vxf_get(f, "shape", VXF_F64, "1", 2, shape, &values)))
+    if ((why = vxf_get(f, "name", VXF_U8, "text", 2, letters, &name)) || (why = vxf_get(f, "shape", VXF_F64, "1", 2, shape, &values)))
         return why;
     m->n = n[0];
     m->dofs = shape[1];
@@ -52,7 +52,7 @@ const char *mod_put(const struct mod *m, struct vxf_out *o)
     vxf_put_key(o, "OF", "%s", m->of);
     vxf_put(o, "frequency", VXF_F64, "Hz", 1, &m->n, m->frequency);
     vxf_put(o, "damping", VXF_F64, "1", 1, &m->n, m->damping);
-    vxf_put(o, "name", VXF_U8, "1", 2, (int64_t[]){m->n, sizeof m->name[0]}, m->name);
+    vxf_put(o, "name", VXF_U8, "text", 2, (int64_t[]){m->n, sizeof m->name[0]}, m->name);
     vxf_put(o, "shape", VXF_F64, "1", 2, (int64_t[]){m->n, m->dofs}, m->shape);
     return NULL;
 }

@@ -1,6 +1,6 @@
 /* .mod: natural modes of a track or a vehicle: mod(5). */
-#ifndef VX_MOD_H
-#define VX_MOD_H
+#ifndef VX_FORMATS_MOD_H
+#define VX_FORMATS_MOD_H
 
 #include "formats/vxf.h"
 

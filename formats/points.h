@@ -1,8 +1,8 @@
 /* Plain points of a profile: text, two columns y z (a third, a weight, may follow), '#' comments: profile-input(5).
  *
  * Profile axes: y to the right, z down.  The unit of the columns is the caller's to say. */
-#ifndef VX_POINTS_H
-#define VX_POINTS_H
+#ifndef VX_FORMATS_POINTS_H
+#define VX_FORMATS_POINTS_H
 
 #include <stdint.h>
 

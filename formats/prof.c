@@ -36,7 +36,7 @@ static const char *arrays_read(struct prof *p, const struct vxf *f)
 
     p->sections = p->polys = p->points = -1;
     if ((why = vxf_get(f, "station", VXF_F64, "m", 1, &p->sections, (const void **)&p->station)) ||
-        (why = vxf_get(f, "body", VXF_U8, "1", 2, bodies, (const void **)&p->body)) ||
+        (why = vxf_get(f, "body", VXF_U8, "text", 2, bodies, (const void **)&p->body)) ||
         (why = vxf_get(f, "poly_section", VXF_I64, "1", 1, &p->polys, (const void **)&p->poly_section)) ||
         (why = vxf_get(f, "poly_body", VXF_I64, "1", 1, &p->polys, (const void **)&p->poly_body)) ||
         (why = vxf_get(f, "poly_first", VXF_I64, "1", 1, &firsts, (const void **)&p->poly_first)) ||
@@ -110,7 +110,7 @@ const char *prof_put(const struct prof *p, struct vxf_out *o)
     vxf_put_key(o, "POSITION", "%.17g", p->position);
     vxf_put_key(o, "RADIUS", "%.17g", p->radius);
     vxf_put(o, "station", VXF_F64, "m", 1, &p->sections, p->station);
-    vxf_put(o, "body", VXF_U8, "1", 2, bodies, p->body);
+    vxf_put(o, "body", VXF_U8, "text", 2, bodies, p->body);
     vxf_put(o, "poly_section", VXF_I64, "1", 1, &p->polys, p->poly_section);
     vxf_put(o, "poly_body", VXF_I64, "1", 1, &p->polys, p->poly_body);
     vxf_put(o, "poly_first", VXF_I64, "1", 1, &firsts, p->poly_first);

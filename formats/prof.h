@@ -4,8 +4,8 @@
  * of a left rail has negative y.  The origin of a rail lies on the rail's top centre line, that of a wheel
  * on its nominal running circle (70 mm from the flange back).  `position` is the origin's y in track axes with
  * the wheelset centred, so that a wheel's point y touches the rail's point y + wheel position - rail position. */
-#ifndef VX_PROF_H
-#define VX_PROF_H
+#ifndef VX_FORMATS_PROF_H
+#define VX_FORMATS_PROF_H
 
 #include "formats/vxf.h"
 

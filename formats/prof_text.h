@@ -2,8 +2,8 @@
  *
  * A wheel, a rail, or a turnout made of a rail.  The shape is given as zones, points or a file, always that of the right side:
  * y to the right (the field side), z down.  Shapes may be in mm (key unit); everything else is SI. */
-#ifndef VX_PROF_TEXT_H
-#define VX_PROF_TEXT_H
+#ifndef VX_FORMATS_PROF_TEXT_H
+#define VX_FORMATS_PROF_TEXT_H
 
 #include "formats/points.h"
 #include "formats/yaml.h"
@@ -59,9 +59,10 @@ struct prof_text {
     int symmetric;                 /* zones are given for y >= 0 */
     double shift_y;                /* m, added to y */
     int mirror_y, mirror_z;        /* before the shift: files with y towards the track's centre, or z up */
-    double radius, back_to_back, flange_back;
-    double cant, gauge, gauge_depth;
-    double smoothing, spacing;
+    double radius, back_to_back, flange_back;  /* m, of a wheel */
+    double cant;                   /* 1, of a rail: 0.025 is 1:40 */
+    double gauge, gauge_depth;     /* m, of a rail */
+    double smoothing, spacing;     /* m, wavelength that is halved; between points */
     struct turnout_text turnout;
 };
 

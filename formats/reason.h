@@ -3,8 +3,8 @@
  * A function that can fail for a reason a user must read returns const char *: NULL on success, else the
  * reason.  reason() formats one into a buffer of the calling thread that lasts until the next call, so
  * a reason may be wrapped: return reason("%s: %s", name, why). */
-#ifndef VX_REASON_H
-#define VX_REASON_H
+#ifndef VX_FORMATS_REASON_H
+#define VX_FORMATS_REASON_H
 
 #if defined __GNUC__
 #define VX_PRINTF(f, a) __attribute__((format(printf, f, a)))

@@ -2,8 +2,8 @@
  *
  * Track axes: x forward, y to the right, z down.  Q, Y and T are the forces of the wheel on the rail: vertical, lateral and
  * longitudinal.  Sides are 0 left, 1 right.  Series are sampled; the tail holds extremes over every step. */
-#ifndef VX_RUN_H
-#define VX_RUN_H
+#ifndef VX_FORMATS_RUN_H
+#define VX_FORMATS_RUN_H
 
 #include "formats/vxf.h"
 

@@ -2,8 +2,8 @@
  *
  * The points come out in metres after the file's own keys were applied in their order: point.dist.min, shift.y, shift.z,
  * rotate (about x, right-handed: y towards z), bound.*, mirror.y, mirror.z, inversion, units.  approx.smooth is told, not applied. */
-#ifndef VX_SIMPACK_H
-#define VX_SIMPACK_H
+#ifndef VX_FORMATS_SIMPACK_H
+#define VX_FORMATS_SIMPACK_H
 
 #include "formats/points.h"
 

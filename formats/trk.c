@@ -48,7 +48,7 @@ static const struct entry TABLE[] = {
     {"check.play",     "m",     VXF_F64, 1, {CHECKS, ONE},       AT(check_play)},
     {"curve.x",        "m",     VXF_F64, 1, {CURVES, ONE},       AT(curve_x)},
     {"curvature",      "1/m",   VXF_F64, 1, {CURVES, ONE},       AT(curvature)},
-    {"zone.name",      "1",     VXF_U8,  2, {ZONES, LETTERS},    AT(zone_name)},
+    {"zone.name",      "text",  VXF_U8,  2, {ZONES, LETTERS},    AT(zone_name)},
     {"pad.zone",       "1",     VXF_I64, 2, {RAILS, SLEEPERS},   AT(pad_zone)},
     {"node.dof",       "1",     VXF_I64, 1, {NODES, ONE},        AT(node_dof)},
     {"sleeper.dof",    "1",     VXF_I64, 1, {SLEEPERS, ONE},     AT(sleeper_dof)},

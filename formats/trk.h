@@ -4,8 +4,8 @@
  * deflection w (down) and pitch t = -dw/dx; a sleeper has z and roll.  Degrees of freedom are ordered by node and bay,
  * [wl tl wr tr] at a rail node, then [z roll] of the sleeper where there is one, which gives half bandwidth 7 with one
  * element a bay. */
-#ifndef VX_TRK_H
-#define VX_TRK_H
+#ifndef VX_FORMATS_TRK_H
+#define VX_FORMATS_TRK_H
 
 #include "formats/vxf.h"
 

@@ -1,7 +1,7 @@
 /* What every user of a track relies on: increasing stations, positive masses, sleepers below their nodes, degrees of freedom in
  * their order, a symmetric pattern with symmetric values. */
-#ifndef VX_TRK_CHECK_H
-#define VX_TRK_CHECK_H
+#ifndef VX_FORMATS_TRK_CHECK_H
+#define VX_FORMATS_TRK_CHECK_H
 
 #include "formats/trk.h"
 

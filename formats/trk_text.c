@@ -106,7 +106,7 @@ static const struct yaml_field TRACK_FIELDS[] = {
     {"zone", YAML_LIST, AT(trk_text, zone), 0, 0, "", YAML_ABSENT, "railpads of their own", &ZONE, NULL},
     {0}};
 
-const struct yaml_schema TRK_TEXT_SCHEMA = {"track", sizeof(struct trk_text), TRACK_FIELDS};
+const struct yaml_schema trk_text_schema = {"track", sizeof(struct trk_text), TRACK_FIELDS};
 
 static const char *check_curve(const struct yaml_list *curve)
 {
@@ -159,7 +159,7 @@ static const char *check(const struct trk_text *in)
 
 const char *trk_text_read(struct trk_text *in, const char *path, char *const *set, int sets, uint64_t *hash)
 {
-    const char *why = yaml_read(path, &TRK_TEXT_SCHEMA, set, sets, in, hash);
+    const char *why = yaml_read(path, &trk_text_schema, set, sets, in, hash);
     if (why)
         return why;
     why = check(in);
@@ -172,5 +172,5 @@ const char *trk_text_read(struct trk_text *in, const char *path, char *const *se
 
 void trk_text_free(struct trk_text *in)
 {
-    yaml_release(&TRK_TEXT_SCHEMA, in);
+    yaml_release(&trk_text_schema, in);
 }

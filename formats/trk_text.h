@@ -1,8 +1,8 @@
 /* The track input written by people: track-input(5).
  *
  * SI units; stations along x, curvature positive to the right, y to the right, sleepers numbered from 1 at the turnout. */
-#ifndef VX_TRK_TEXT_H
-#define VX_TRK_TEXT_H
+#ifndef VX_FORMATS_TRK_TEXT_H
+#define VX_FORMATS_TRK_TEXT_H
 
 #include "formats/yaml.h"
 
@@ -63,7 +63,7 @@ struct trk_text {
     struct yaml_list zone;                /* of struct trk_text_zone */
 };
 
-extern const struct yaml_schema TRK_TEXT_SCHEMA;
+extern const struct yaml_schema trk_text_schema;
 
 /* As yaml_read, and the checks between keys. */
 const char *trk_text_read(struct trk_text *in, const char *path, char *const *set, int sets, uint64_t *hash);

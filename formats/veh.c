@@ -22,17 +22,17 @@ struct entry {
 #define AT(member) offsetof(struct veh, member)
 
 static const struct entry TABLE[] = {
-    {"body.name",          "1",             VXF_U8,  2, {BODIES, LETTERS},    AT(body_name)},
+    {"body.name",          "text",          VXF_U8,  2, {BODIES, LETTERS},    AT(body_name)},
     {"body.mass",          "kg",            VXF_F64, 1, {BODIES, ONE},        AT(mass)},
     {"body.inertia",       "kg.m2",         VXF_F64, 2, {BODIES, AXES},       AT(inertia)},
     {"body.cg",            "m",             VXF_F64, 2, {BODIES, AXES},       AT(cg)},
-    {"coupling.name",      "1",             VXF_U8,  2, {COUPLINGS, LETTERS}, AT(coupling_name)},
+    {"coupling.name",      "text",          VXF_U8,  2, {COUPLINGS, LETTERS}, AT(coupling_name)},
     {"coupling.type",      "1",             VXF_I64, 1, {COUPLINGS, ONE},     AT(type)},
     {"coupling.ends",      "1",             VXF_I64, 2, {COUPLINGS, TWO},     AT(ends)},
     {"coupling.bearing",   "1",             VXF_I64, 1, {COUPLINGS, ONE},     AT(bearing)},
     {"coupling.point",     "m",             VXF_F64, 2, {COUPLINGS, AXES},    AT(point)},
     {"coupling.stiffness", "N/m,N.m/rad",   VXF_F64, 2, {COUPLINGS, DOFS},    AT(stiffness)},
-    {"coupling.damping",   "N.s/m,Nms/rad", VXF_F64, 2, {COUPLINGS, DOFS},    AT(damping)},
+    {"coupling.damping",   "N.s/m,N.m.s/rad", VXF_F64, 2, {COUPLINGS, DOFS},    AT(damping)},
     {"coupling.preload",   "N",             VXF_F64, 2, {COUPLINGS, AXES},    AT(preload)},
     {"stop.axis",          "1",             VXF_I64, 1, {COUPLINGS, ONE},     AT(stop_axis)},
     {"knot.first",         "1",             VXF_I64, 1, {FIRSTS, ONE},        AT(knot_first)},

@@ -3,8 +3,8 @@
  * Track axes: x forward, y to the right, z down from rail level; so the height h of a point is z = -h.  Each body follows its own
  * frame on the track centre line, at the station of its centre of gravity.  Displacements count from the rest
  * position on straight level track, in which the couplings carry `preload`. */
-#ifndef VX_VEH_H
-#define VX_VEH_H
+#ifndef VX_FORMATS_VEH_H
+#define VX_FORMATS_VEH_H
 
 #include "formats/vxf.h"
 

@@ -69,7 +69,7 @@ static const struct yaml_field VEHICLE_FIELDS[] = {
     {"stop", YAML_LIST, AT(veh_text, stop), 0, 0, "", YAML_ABSENT, "piecewise-linear spring along one axis", &STOP, NULL},
     {0}};
 
-const struct yaml_schema VEH_TEXT_SCHEMA = {"vehicle", sizeof(struct veh_text), VEHICLE_FIELDS};
+const struct yaml_schema veh_text_schema = {"vehicle", sizeof(struct veh_text), VEHICLE_FIELDS};
 
 /* Name of the i-th of the bodies and wheelsets, as one list. */
 static const char *body_name(const struct veh_text *in, int64_t i)
@@ -162,7 +162,7 @@ static const char *check(const struct veh_text *in)
 
 const char *veh_text_read(struct veh_text *in, const char *path, char *const *set, int sets, uint64_t *hash)
 {
-    const char *why = yaml_read(path, &VEH_TEXT_SCHEMA, set, sets, in, hash);
+    const char *why = yaml_read(path, &veh_text_schema, set, sets, in, hash);
     if (why)
         return why;
     why = check(in);
@@ -175,5 +175,5 @@ const char *veh_text_read(struct veh_text *in, const char *path, char *const *se
 
 void veh_text_free(struct veh_text *in)
 {
-    yaml_release(&VEH_TEXT_SCHEMA, in);
+    yaml_release(&veh_text_schema, in);
 }

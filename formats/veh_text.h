@@ -1,8 +1,8 @@
 /* The vehicle input written by people: vehicle-input(5).
  *
  * SI units; x forward, counted from the first wheelset, so the others are at negative x; y to the right; heights above rail level. */
-#ifndef VX_VEH_TEXT_H
-#define VX_VEH_TEXT_H
+#ifndef VX_FORMATS_VEH_TEXT_H
+#define VX_FORMATS_VEH_TEXT_H
 
 #include "formats/yaml.h"
 
@@ -48,7 +48,7 @@ struct veh_text {
     struct yaml_list stop;          /* of struct veh_text_stop */
 };
 
-extern const struct yaml_schema VEH_TEXT_SCHEMA;
+extern const struct yaml_schema veh_text_schema;
 
 /* As yaml_read, and the checks between keys. */
 const char *veh_text_read(struct veh_text *in, const char *path, char *const *set, int sets, uint64_t *hash);

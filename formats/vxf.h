@@ -6,11 +6,13 @@
  *   blocks    only in a stream: records of all SERIES, appended; an end block carries the TAIL arrays
  *
  * Functions return NULL or the reason why not (formats/reason.h).  Nothing here exits or prints. */
-#ifndef VX_VXF_H
-#define VX_VXF_H
+#ifndef VX_FORMATS_VXF_H
+#define VX_FORMATS_VXF_H
 
 #include <stdint.h>
 #include <stdio.h>
+
+#include "formats/reason.h"
 
 enum vxf_type { VXF_F64, VXF_F32, VXF_I64, VXF_I32, VXF_U8, VXF_C128, VXF_TYPES };
 
@@ -105,7 +107,7 @@ void vxf_out_begin(struct vxf_out *o, const char *kind);
 void vxf_out_free(struct vxf_out *o);
 
 /* Adds a line "key= ..." to the header. */
-void vxf_put_key(struct vxf_out *o, const char *key, const char *format, ...);
+void vxf_put_key(struct vxf_out *o, const char *key, const char *format, ...) VX_PRINTF(3, 4);
 
 /* Adds an array; data must live until the file is written.  A floating-point number that is not finite
  * is refused, so NaN never reaches a file. */

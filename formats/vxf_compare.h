@@ -1,6 +1,6 @@
 /* Two arrays of one shape compared element by element. */
-#ifndef VX_VXF_COMPARE_H
-#define VX_VXF_COMPARE_H
+#ifndef VX_FORMATS_VXF_COMPARE_H
+#define VX_FORMATS_VXF_COMPARE_H
 
 #include "formats/vxf.h"
 

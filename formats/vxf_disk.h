@@ -1,6 +1,6 @@
 /* What is on disk: shared by the parts of vxf, by nothing else.  All numbers little-endian. */
-#ifndef VX_VXF_DISK_H
-#define VX_VXF_DISK_H
+#ifndef VX_FORMATS_VXF_DISK_H
+#define VX_FORMATS_VXF_DISK_H
 
 #include "formats/vxf.h"
 

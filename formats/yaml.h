@@ -3,8 +3,8 @@
  * The subset: maps, lists (block or flow), plain or quoted scalars, comments.  Anchors, aliases, tags, several documents, doubled keys
  * and keys without a value are refused.  One table per kind of input names every key with type, unit, range, default and help;
  * the same table prints --schema and --master.  Every refusal reads "file:line:column: error: ...". */
-#ifndef VX_YAML_H
-#define VX_YAML_H
+#ifndef VX_FORMATS_YAML_H
+#define VX_FORMATS_YAML_H
 
 #include <float.h>
 #include <stddef.h>

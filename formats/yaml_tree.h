@@ -1,6 +1,8 @@
 /* A YAML text as a tree of maps, lists and scalars, each with its place: between the parts of yaml. */
-#ifndef VX_YAML_TREE_H
-#define VX_YAML_TREE_H
+#ifndef VX_FORMATS_YAML_TREE_H
+#define VX_FORMATS_YAML_TREE_H
+
+#include "formats/reason.h"
 
 enum yaml_kind { YAML_SCALAR, YAML_MAPPING, YAML_SEQUENCE };
 
@@ -26,6 +28,6 @@ const char *yaml_tree_set(struct yaml_node *root, const char *set);
 struct yaml_node *yaml_tree_find(const struct yaml_node *map, const char *key);
 
 /* "path:line:column: error: message", or "--set ...: error: message". */
-const char *yaml_error(const char *path, const struct yaml_node *at, const char *format, ...);
+const char *yaml_error(const char *path, const struct yaml_node *at, const char *format, ...) VX_PRINTF(3, 4);
 
 #endif

@@ -51,6 +51,7 @@ static const struct cli_program program = {
 
 struct inputs {
     struct case_text text;
+    uint64_t hash;               /* of the case */
     struct vxf file[4];
     struct trk track;
     struct veh vehicle;
@@ -92,7 +93,7 @@ static void read_inputs(struct inputs *in, const char *path)
 {
     const struct case_text *c = &in->text;
 
-    cli_check("case", yaml_read(path, &case_schema, opt.set.item, opt.set.n, &in->text, NULL));
+    cli_check("case", yaml_read(path, &case_text_schema, opt.set.item, opt.set.n, &in->text, &in->hash));
     open_input(&in->file[0], opt.track, "--track", path, c->track, "trk");
     open_input(&in->file[1], opt.vehicle, "--vehicle", path, c->vehicle, "veh");
     open_input(&in->file[2], opt.left, "--contact-left", path, c->contact_left, "ctab");
@@ -197,6 +198,7 @@ static void describe(const struct inputs *in, struct record *r, struct vxf_out *
     vxf_out_begin(head, "run");
     for (int i = 0; i < 4; i++)
         vxf_put_input(head, &in->file[i]);
+    vxf_put_key(head, "INPUT", "case %016llx", (unsigned long long)in->hash);
     vxf_put_key(head, "CMD", "%s", cli_command());
     snprintf(r->run.name, sizeof r->run.name, "%s", in->text.name);
     snprintf(r->run.route, sizeof r->run.route, "%s", route[in->text.route]);
@@ -226,7 +228,7 @@ int main(int argc, char **argv)
     char **path = cli_begin(&program, argc, argv, 0, 1, &n);
 
     if (opt.schema || opt.master) {
-        (opt.schema ? yaml_print_schema : yaml_print_master)(&case_schema, stdout);
+        (opt.schema ? yaml_print_schema : yaml_print_master)(&case_text_schema, stdout);
         return cli_end();
     }
     if (n == 0)
@@ -248,6 +250,6 @@ int main(int argc, char **argv)
     passage_free(&p);
     for (int i = 0; i < 4; i++)
         vxf_close(&in.file[i]);
-    yaml_release(&case_schema, &in.text);
+    yaml_release(&case_text_schema, &in.text);
     return cli_end();
 }

@@ -61,7 +61,7 @@ int main(int argc, char **argv)
     uint64_t hash;
 
     if (!path) {
-        (opt.schema ? yaml_print_schema : yaml_print_master)(&TRK_TEXT_SCHEMA, stdout);
+        (opt.schema ? yaml_print_schema : yaml_print_master)(&trk_text_schema, stdout);
         return cli_end();
     }
     if ((why = trk_text_read(&in, path, opt.set.item, opt.set.n, &hash)))

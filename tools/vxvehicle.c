@@ -85,7 +85,7 @@ int main(int argc, char **argv)
     uint64_t hash;
 
     if (!path) {
-        (opt.schema ? yaml_print_schema : yaml_print_master)(&VEH_TEXT_SCHEMA, stdout);
+        (opt.schema ? yaml_print_schema : yaml_print_master)(&veh_text_schema, stdout);
         return cli_end();
     }
     if ((why = veh_text_read(&in, path, opt.set.item, opt.set.n, &hash)))

@@ -168,10 +168,10 @@ static const char *read_input(void)
     static char *const set[] = {pad, zone};
     struct trk_text text;
     uint64_t hash;
-    const char *why = yaml_read("data/tracks/60E1-R760-1-15-diverging.yaml", &TRK_TEXT_SCHEMA, set, 2, &text, &hash);
+    const char *why = yaml_read("data/tracks/60E1-R760-1-15-diverging.yaml", &trk_text_schema, set, 2, &text, &hash);
 
     if (!why)
-        yaml_release(&TRK_TEXT_SCHEMA, &text);
+        yaml_release(&trk_text_schema, &text);
     return why;
 }
 

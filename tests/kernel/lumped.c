@@ -3,7 +3,7 @@
 
 #include "tests/kernel/rig.h"
 #include "tests/kernel/tap.h"
-#include "tools/track/static.h"
+#include "tools/track/cholesky.h"
 
 /* Degree of freedom d of the .trk in the state vector. */
 static int64_t place_of(const struct lumped *l, int64_t node, int part)
@@ -71,10 +71,10 @@ static void statics(void)
 {
     struct trk t;
     struct lumped l;
-    struct statics s;
+    struct cholesky s;
     double worst = 0, pads = 0, ballast = 0, weight = 0, F = 50e3, g = 9.81;
 
-    ok(!rig_track(&t, RIG_TURNOUT, NULL, 0) && !lumped_new(&l, &t, g) && !static_new(&s, &t), "the turnout's track, factored");
+    ok(!rig_track(&t, RIG_TURNOUT, NULL, 0) && !lumped_new(&l, &t, g) && !cholesky_new(&s, &t), "the turnout's track, factored");
     double *u = calloc((size_t)t.dofs, sizeof *u);
     struct lumped_place at = lumped_find(&l, 1, 20.13);
     for (int64_t i = 0; i < t.nodes; i++)
@@ -86,7 +86,7 @@ static void statics(void)
         weight += (t.rail_mass[i] + t.rail_mass[t.nodes + i] + t.sleeper_mass[i]) * g;
     for (int j = 0; j < 4; j++)
         u[t.node_dof[at.node + j / 2] + 2 + j % 2] += F * at.shape[j];
-    ok(!static_solve(&s, u, u), "solved by CHOLMOD");
+    ok(!cholesky_solve(&s, u, u), "solved by CHOLMOD");
     exchange(&l, u, l.u, 1);
     lumped_accelerate(&l);
     lumped_load(&l, 1, &at, F);
@@ -105,7 +105,7 @@ static void statics(void)
         sleepers += t.sleeper_mass[i] * g;
     near(pads, weight + F - sleepers, 1e-6, "the pads all but the sleepers");
     free(u);
-    static_free(&s);
+    cholesky_free(&s);
     lumped_free(&l);
     trk_free(&t);
 }
@@ -199,10 +199,10 @@ static void wheel_loads(void)
 {
     struct trk t;
     struct lumped l;
-    struct statics s;
+    struct cholesky s;
     double value[2];
 
-    ok(!rig_track(&t, RIG_TURNOUT, NULL, 0) && !lumped_new(&l, &t, 0) && !static_new(&s, &t), "the turnout's track, factored");
+    ok(!rig_track(&t, RIG_TURNOUT, NULL, 0) && !lumped_new(&l, &t, 0) && !cholesky_new(&s, &t), "the turnout's track, factored");
     double *u = calloc((size_t)t.dofs, sizeof *u);
     struct lumped_place p[2] = {lumped_find(&l, 0, 20.13), lumped_find(&l, 1, 21.47)};
     for (int k = 0; k < 2; k++) {
@@ -211,7 +211,7 @@ static void wheel_loads(void)
         for (int64_t i = 0; i < LUMPED_PARTS * l.stride; i++)
             l.a[i] = l.inverse[i] > 0 ? l.a[i] / l.inverse[i] : 0; /* force again */
         exchange(&l, u, l.a, 0);
-        static_solve(&s, u, u);
+        cholesky_solve(&s, u, u);
         exchange(&l, u, l.u, 1);
         value[k] = lumped_sample(&l, !k, &p[!k], p[!k].shape, l.u);
     }
@@ -229,7 +229,7 @@ static void wheel_loads(void)
     near(lumped_find(&l, 0, t.x[9]).compliance, 0, 1e-30, "no compliance over a sleeper");
     near(lumped_find(&l, 0, t.x[9] + 0.3).compliance * 192 * 6.11e6 / (0.6 * 0.6 * 0.6), 1, 1e-9, "L^3/(192 EI) halfway");
     free(u);
-    static_free(&s);
+    cholesky_free(&s);
     lumped_free(&l);
     trk_free(&t);
 }
@@ -241,16 +241,16 @@ static void moments(double along)
     static const char *const fine[] = {"rail.elements_per_bay=20"};
     struct trk t, r;
     struct lumped l;
-    struct statics s, f;
+    struct cholesky s, f;
     double F = 93.2e3, x = 0.3 + 0.6 * along, m[50], worst = 0, most = 0;
 
-    ok(!rig_track(&t, RIG_STRAIGHT, NULL, 0) && !lumped_new(&l, &t, 0) && !static_new(&s, &t) &&
-       !rig_track(&r, RIG_STRAIGHT, fine, 1) && !static_new(&f, &r), "force at %.2f of a bay", along);
+    ok(!rig_track(&t, RIG_STRAIGHT, NULL, 0) && !lumped_new(&l, &t, 0) && !cholesky_new(&s, &t) &&
+       !rig_track(&r, RIG_STRAIGHT, fine, 1) && !cholesky_new(&f, &r), "force at %.2f of a bay", along);
     double *u = calloc((size_t)r.dofs, sizeof *u);
     struct lumped_place at = lumped_find(&l, 0, x);
     for (int j = 0; j < 4; j++)
         u[t.node_dof[at.node + j / 2] + j % 2] += F * at.shape[j];
-    static_solve(&s, u, u);
+    cholesky_solve(&s, u, u);
     exchange(&l, u, l.u, 1);
     lumped_accelerate(&l);
     lumped_load(&l, 0, &at, F);
@@ -260,7 +260,7 @@ static void moments(double along)
     for (int64_t i = 0; i < r.nodes; i++)
         if (fabs(r.x[i] - x) < 1e-9)
             u[r.node_dof[i]] = F;
-    static_solve(&f, u, u);
+    cholesky_solve(&f, u, u);
     for (int64_t i = 1; i + 1 < t.nodes; i++) {
         int64_t k = r.sleeper_node[i];
         k -= along > 0 && i == at.node + 1; /* the element behind or ahead that carries no load at its end */
@@ -275,8 +275,8 @@ static void moments(double along)
     printf("# largest moment at a sleeper %.1f N m, off by %.1e N m\n", most, worst);
     ok(worst < 1e-6 * most, "moments at all sleepers are those of twenty elements a bay");
     free(u);
-    static_free(&s);
-    static_free(&f);
+    cholesky_free(&s);
+    cholesky_free(&f);
     lumped_free(&l);
     trk_free(&t);
     trk_free(&r);
@@ -288,13 +288,13 @@ static void continuous_support(void)
 {
     struct trk t;
     struct lumped l;
-    struct statics s;
+    struct cholesky s;
     double F = 93.2e3, m[50], k = 1 / (1 / 300e6 + 2 / 280e6), b = pow(k / (4 * 6.11e6 * 0.6), 0.25);
 
-    ok(!rig_track(&t, RIG_STRAIGHT, NULL, 0) && !lumped_new(&l, &t, 0) && !static_new(&s, &t), "the track of Table 1");
+    ok(!rig_track(&t, RIG_STRAIGHT, NULL, 0) && !lumped_new(&l, &t, 0) && !cholesky_new(&s, &t), "the track of Table 1");
     double *u = calloc((size_t)t.dofs, sizeof *u);
     u[t.node_dof[25]] = u[t.node_dof[25] + 2] = F;
-    static_solve(&s, u, u);
+    cholesky_solve(&s, u, u);
     exchange(&l, u, l.u, 1);
     lumped_accelerate(&l);
     lumped_moment(&l, 0, m);
@@ -303,7 +303,7 @@ static void continuous_support(void)
     ok(m[27] < 0 && fabs(m[27]) < 0.25 * m[25], "and negative two sleepers on");
     near(m[0], 0, 1e-6, "none at a free end");
     free(u);
-    static_free(&s);
+    cholesky_free(&s);
     lumped_free(&l);
     trk_free(&t);
 }

@@ -6,7 +6,7 @@
 #include "tests/kernel/tap.h"
 #include "tools/receptance/direct.h"
 #include "tools/receptance/peaks.h"
-#include "tools/track/static.h"
+#include "tools/track/cholesky.h"
 
 enum { DOFS = 300, MOST = 4000 };
 
@@ -176,20 +176,20 @@ static void reciprocity(const struct trk *t)
 static void static_limit(const struct trk *t)
 {
     static double u[DOFS], f[DOFS], H[2 * DOFS];
-    struct statics s;
+    struct cholesky s;
     struct direct d;
     double worst = 0, scale = 0;
 
     f[148] = 1;
     H[2 * 148] = 1;
-    ok(static_new(&s, t) == NULL && static_solve(&s, f, u) == NULL, "static solution");
+    ok(cholesky_new(&s, t) == NULL && cholesky_solve(&s, f, u) == NULL, "static solution");
     ok(direct_new(&d, t) == NULL && direct_factor(&d, 0) == NULL && direct_solve(&d, H) == NULL, "receptance at 0 Hz");
     for (int i = 0; i < DOFS; i++) {
         worst = fmax(worst, fabs(H[2 * i] - u[i]) + fabs(H[2 * i + 1]));
         scale = fmax(scale, fabs(u[i]));
     }
     near(worst / scale, 0, 1e-12, "at 0 Hz it is K\\f");
-    static_free(&s);
+    cholesky_free(&s);
     direct_free(&d);
 }
 

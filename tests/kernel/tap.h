@@ -24,7 +24,7 @@ static inline int ok(int holds, const char *format, ...)
 static inline int near(double got, double want, double tolerance, const char *what)
 {
     int holds = fabs(got - want) <= tolerance;
-    ok(holds, "%s", what);
+    ok(holds, "%s (%.6g)", what, got);
     if (!holds)
         printf("# %s: got %.12g, should be %.12g within %.3g\n", what, got, want, tolerance);
     return holds;

@@ -39,4 +39,9 @@ is "$(grep -ln 'vxf_disk.h' $(find formats tools -name '*.[ch]') | grep -v '^for
 is "$(grep -ln 'yaml_tree.h\|<yaml.h>' $(find formats tools -name '*.[ch]') | grep -v '^formats/yaml')" "" "libyaml is known to yaml alone"
 is "$(grep -lE '<(GL/osmesa|hdf5|png|ft2build|fontconfig/fontconfig)\.h>' $(find formats tools -name '*.[ch]') |
     grep -v -e '^tools/draw/' -e '^formats/export_hdf5\.c$')" "" "libraries of pictures and HDF5 are known where they are used alone"
+for f in formats/*.h $(find tools -mindepth 2 -name '*.h'); do
+    guard=VX_$(echo "${f#tools/}" | tr a-z/. A-Z__)
+    grep -q "^#ifndef $guard\$" "$f" || echo "$f: $guard"
+done >"$dir/guards"
+is "$(cat "$dir/guards")" "" "the guard of a header is its path"
 done_testing

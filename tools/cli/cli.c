@@ -14,6 +14,7 @@ const char *cli_name = "veksel";
 int cli_failure = EXIT_FAILURE;
 
 /* One line, whatever a path or a value holds. */
+VX_PRINTF(1, 0)
 static void say(const char *format, va_list ap)
 {
     char text[1024];

@@ -1,8 +1,8 @@
 /* Being a Unix program: options, messages, outputs that appear whole or not at all.
  *
  * The one folder that prints and exits; only tools/vx*.c include it.  Exit status: 0 done, 1 failed, 2 misuse. */
-#ifndef VX_CLI_H
-#define VX_CLI_H
+#ifndef VX_CLI_CLI_H
+#define VX_CLI_CLI_H
 
 #include <stdint.h>
 #include <stdio.h>

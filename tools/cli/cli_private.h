@@ -1,6 +1,6 @@
 /* Between the parts of cli. */
-#ifndef VX_CLI_PRIVATE_H
-#define VX_CLI_PRIVATE_H
+#ifndef VX_CLI_CLI_PRIVATE_H
+#define VX_CLI_CLI_PRIVATE_H
 
 #include "tools/cli/cli.h"
 

@@ -14,14 +14,9 @@
 #include <assert.h>
 #include <math.h>
 
+#include "tools/creep/clones.h"
 #include "tools/creep/flexibility.h"
 #include "tools/creep/kalker.h"
-
-#if defined __x86_64__ && defined __GNUC__
-#define CLONES __attribute__((target_clones("default", "avx2", "avx512f")))
-#else
-#define CLONES
-#endif
 
 enum { VECTOR = 8 };            /* doubles in the widest */
 

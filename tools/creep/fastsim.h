@@ -3,8 +3,8 @@
  * Axes of the contact: x forward, y lateral along the contact plane, z normal into the rail.  Creepages are those of the wheel against the
  * rail, (wheel velocity - rail velocity)/v, the spin is about z; forces are those of the wheel on the rail, so they have the sign
  * of the creepages. */
-#ifndef VX_FASTSIM_H
-#define VX_FASTSIM_H
+#ifndef VX_CREEP_FASTSIM_H
+#define VX_CREEP_FASTSIM_H
 
 enum { FASTSIM_MOST = 256 };
 

@@ -3,8 +3,8 @@
  *
  * Three of them, one per creepage, are right for small creepages; one weighted mean is right where all slides.  They are blended by the
  * size of the creepages: Vollebregt, CONTACT user guide (2022), simplified theory. */
-#ifndef VX_FLEXIBILITY_H
-#define VX_FLEXIBILITY_H
+#ifndef VX_CREEP_FLEXIBILITY_H
+#define VX_CREEP_FLEXIBILITY_H
 
 enum { FLEXIBILITY_XI, FLEXIBILITY_ETA, FLEXIBILITY_PHI, FLEXIBILITIES };
 

@@ -3,8 +3,8 @@
  *   Fx = G a b C11 xi,  Fy = G a b C22 eta + G (a b)^1.5 C23 phi,  Mz = -G (a b)^1.5 C23 eta + G (a b)^2 C33 phi
  *
  * a lies along the rolling direction.  Kalker, Three-dimensional elastic bodies in rolling contact (1990), table E.3. */
-#ifndef VX_KALKER_H
-#define VX_KALKER_H
+#ifndef VX_CREEP_KALKER_H
+#define VX_CREEP_KALKER_H
 
 enum { KALKER_C11, KALKER_C22, KALKER_C23, KALKER_C33, KALKER_COEFFICIENTS };
 

@@ -1,6 +1,6 @@
 /* What surrounds the data: title, frames, grid, numbers, labels, vertical lines, legend. */
-#ifndef VX_AXES_H
-#define VX_AXES_H
+#ifndef VX_DRAW_AXES_H
+#define VX_DRAW_AXES_H
 
 #include "tools/draw/layout.h"
 

@@ -2,8 +2,8 @@
  *
  * Coordinates are pixels of the finished picture, x to the right and y down from its upper left corner.  The one place that
  * knows OpenGL: OSMesa here, which newer Mesa has dropped; a surfaceless EGL context would fit behind the same functions. */
-#ifndef VX_CANVAS_H
-#define VX_CANVAS_H
+#ifndef VX_DRAW_CANVAS_H
+#define VX_DRAW_CANVAS_H
 
 enum { CANVAS_LEAST = 200, CANVAS_MOST = 4096 };       /* px, side of a picture */
 

@@ -3,8 +3,8 @@
  * The caller fills it from plain arrays in SI units, which must live until it is drawn; an axis shows its numbers times a
  * factor (1e3 shows metres as millimetres).  What is added belongs to the chart and goes with chart_free.  Adding never
  * fails visibly: the first failure is kept and told by chart_draw. */
-#ifndef VX_CHART_H
-#define VX_CHART_H
+#ifndef VX_DRAW_CHART_H
+#define VX_DRAW_CHART_H
 
 #include <stdint.h>
 

@@ -1,6 +1,6 @@
 /* The data of a chart: filled outlines first, then lines and marks, each cut at the box of its panel. */
-#ifndef VX_CURVES_H
-#define VX_CURVES_H
+#ifndef VX_DRAW_CURVES_H
+#define VX_DRAW_CURVES_H
 
 #include "tools/draw/layout.h"
 

@@ -1,6 +1,6 @@
 /* The figures there are: which kinds of file each takes, and how files become its chart. */
-#ifndef VX_FIGURE_H
-#define VX_FIGURE_H
+#ifndef VX_DRAW_FIGURE_H
+#define VX_DRAW_FIGURE_H
 
 #include "formats/columns.h"
 #include "formats/vxf.h"

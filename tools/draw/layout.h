@@ -2,8 +2,8 @@
  *
  * From the top: title, words of the vertical lines, then for each panel its legend and its box; numbers and label of x below
  * the last box, those of y to the left.  The legend stands outside the boxes, so it covers no data. */
-#ifndef VX_LAYOUT_H
-#define VX_LAYOUT_H
+#ifndef VX_DRAW_LAYOUT_H
+#define VX_DRAW_LAYOUT_H
 
 #include "tools/draw/chart.h"
 #include "tools/draw/scale.h"

@@ -1,6 +1,6 @@
 /* The range of an axis where the caller has not given one. */
-#ifndef VX_LIMITS_H
-#define VX_LIMITS_H
+#ifndef VX_DRAW_LIMITS_H
+#define VX_DRAW_LIMITS_H
 
 #include "tools/draw/chart.h"
 

@@ -1,6 +1,6 @@
 /* Words at points of a chart, each where it covers least: beside its point, clear of lines, of other words and of the frame. */
-#ifndef VX_NOTES_H
-#define VX_NOTES_H
+#ifndef VX_DRAW_NOTES_H
+#define VX_DRAW_NOTES_H
 
 #include "tools/draw/layout.h"
 

@@ -1,6 +1,6 @@
 /* A picture as a PNG file: the same bytes for the same picture, no date in it. */
-#ifndef VX_PNG_H
-#define VX_PNG_H
+#ifndef VX_DRAW_PNG_H
+#define VX_DRAW_PNG_H
 
 #include <stdio.h>
 

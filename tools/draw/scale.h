@@ -1,6 +1,6 @@
 /* An axis of a chart: from numbers to places along it, round numbers to mark, and how they are written. */
-#ifndef VX_SCALE_H
-#define VX_SCALE_H
+#ifndef VX_DRAW_SCALE_H
+#define VX_DRAW_SCALE_H
 
 #include <stddef.h>
 

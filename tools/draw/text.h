@@ -1,6 +1,6 @@
 /* Words on a picture: DejaVu Sans by FreeType, collected while the canvas is drawn and painted onto its pixels after canvas_end. */
-#ifndef VX_TEXT_H
-#define VX_TEXT_H
+#ifndef VX_DRAW_TEXT_H
+#define VX_DRAW_TEXT_H
 
 #include "tools/draw/canvas.h"
 

@@ -5,8 +5,8 @@
  * a point of the centre line at s lies offset(s) - offset(s0) - heading(s0)(s - s0) to the right of the tangent at s0, for the small
  * angles between the ends of a coupling.  So a train whose lateral positions and yaws count from here runs on this alignment as on a
  * straight track, and the curve enters where wheel meets rail and nowhere else. */
-#ifndef VX_ALIGNMENT_H
-#define VX_ALIGNMENT_H
+#ifndef VX_INTEGRATE_ALIGNMENT_H
+#define VX_INTEGRATE_ALIGNMENT_H
 
 #include <stdint.h>
 
@@ -19,7 +19,7 @@ struct alignment {
 };
 
 struct alignment_point {
-    double curvature, heading, offset;
+    double curvature, heading, offset; /* 1/m, rad, m */
 };
 
 /* x and curvature must outlive a. */

@@ -2,8 +2,8 @@
  *
  * z down, pitch t = -dw/dx.  The state is one vector of six parts of `stride` numbers each: deflection and pitch of the left rail's nodes, of the
  * right rail's, deflection and roll of the sleepers. */
-#ifndef VX_LUMPED_H
-#define VX_LUMPED_H
+#ifndef VX_INTEGRATE_LUMPED_H
+#define VX_INTEGRATE_LUMPED_H
 
 #include "formats/trk.h"
 

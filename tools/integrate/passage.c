@@ -1,7 +1,7 @@
 #include "tools/integrate/passage.h"
 #include "formats/reason.h"
-#include "tools/integrate/check.h"
-#include "tools/integrate/clones.h"
+#include "tools/integrate/check_rail.h"
+#include "tools/creep/clones.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -126,7 +126,7 @@ static const char *wheel_forces(struct passage *p)
         if (why)
             return reason("wheelset %lld, %s wheel, station %.3f m: %s", (long long)(k / 2 + 1), side ? "right" : "left",
                           in.s, why);
-        check_add(p->track, side, &in, &p->wheel[k]);
+        check_rail_add(p->track, side, &in, &p->wheel[k]);
         lumped_load(&p->rails, side, &place, p->wheel[k].Q);
     }
     return NULL;

@@ -4,8 +4,8 @@
  *   x(n+1) = x + v h + (a - a(n-1)/2) h^2,   v(n+1) = v + (3 a - a(n-1)) h/2,
  * then all forces from x(n+1), v(n+1), and a(n+1) without solving, since the mass is diagonal.  Second order; stable up to about 2/omega of the
  * highest frequency of the track. */
-#ifndef VX_PASSAGE_H
-#define VX_PASSAGE_H
+#ifndef VX_INTEGRATE_PASSAGE_H
+#define VX_INTEGRATE_PASSAGE_H
 
 #include "formats/case_text.h"
 #include "tools/integrate/alignment.h"

@@ -1,6 +1,6 @@
 /* What a passage leaves behind: samples of its channels in blocks, and extremes over every step. */
-#ifndef VX_RECORD_H
-#define VX_RECORD_H
+#ifndef VX_INTEGRATE_RECORD_H
+#define VX_INTEGRATE_RECORD_H
 
 #include "formats/run.h"
 #include "tools/integrate/passage.h"
@@ -8,7 +8,7 @@
 enum { RECORD_BLOCK = 256 };             /* records gathered before a block is written */
 
 struct record {
-    struct run run;                      /* what the file says of the passage; its arrays are those of the inputs, or in store */
+    struct run run;                      /* what the file says of the passage; its arrays are those of the inputs and wheelset_x */
     int recorded[RUN_CHANNELS];          /* channels kept */
     int64_t every;                       /* steps between samples */
     int64_t held;                        /* records in the buffers, at most RECORD_BLOCK */

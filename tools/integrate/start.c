@@ -2,7 +2,7 @@
  * so much stiffer than the springs that each round gains two digits. */
 #include "tools/integrate/start.h"
 #include "formats/reason.h"
-#include "tools/track/static.h"
+#include "tools/track/cholesky.h"
 
 #include <lapacke.h>
 #include <math.h>
@@ -16,7 +16,7 @@ enum { ROUNDS_MOST = 30, HEIGHT_MOST = 60 };
 
 struct rest {
     struct passage *p;
-    struct statics statics;
+    struct cholesky factor;
     double *f, *u;          /* [track dofs] */
     double *load;           /* N [wheels] */
     int64_t n;              /* dofs that move: all of bodies that are not wheelsets */
@@ -56,7 +56,7 @@ static const char *settle_track(struct rest *r)
     const char *why;
 
     track_loads(r);
-    if ((why = static_solve(&r->statics, r->f, r->u)))
+    if ((why = cholesky_solve(&r->factor, r->f, r->u)))
         return why;
     for (int64_t i = 0; i < t->nodes; i++)
         for (int part = LUMPED_WL; part <= LUMPED_TR; part++)
@@ -294,12 +294,12 @@ const char *passage_start(struct passage *p, double *residual)
     r.pivot = calloc(dofs, sizeof *r.pivot);
     if (!r.f || !r.u || !r.load || !r.free || !r.K || !r.x || !r.pivot)
         why = REASON_MEMORY;
-    else if (!(why = static_new(&r.statics, p->track))) {
+    else if (!(why = cholesky_new(&r.factor, p->track))) {
         find_free(&r);
         why = settle(&r);
         if (!why)
             why = begin(p, residual);
-        static_free(&r.statics);
+        cholesky_free(&r.factor);
     }
     free(r.f);
     free(r.u);

@@ -4,8 +4,8 @@
  * heading at the body's station they are those in its own track-following frame, which wheels and recorders use; less the tangent at
  * the train's middle they are small angles in one straight frame, in which the couplings act: relative yaw and lateral offset of the bodies'
  * frames are in them already.  The pitch of a wheelset is its spin beyond -v/r0. */
-#ifndef VX_TRAIN_H
-#define VX_TRAIN_H
+#ifndef VX_INTEGRATE_TRAIN_H
+#define VX_INTEGRATE_TRAIN_H
 
 #include "formats/veh.h"
 #include "tools/integrate/alignment.h"

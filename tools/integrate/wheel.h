@@ -2,8 +2,8 @@
  *
  * Track axes: x forward, y to the right, z down.  Q, Y, T are forces of the wheel on the rail; force and moment are those on the
  * wheelset, about its centre. */
-#ifndef VX_WHEEL_H
-#define VX_WHEEL_H
+#ifndef VX_INTEGRATE_WHEEL_H
+#define VX_INTEGRATE_WHEEL_H
 
 #include "formats/ctab.h"
 #include "formats/run.h"
@@ -46,14 +46,15 @@ struct wheel_memory {
 struct wheel_patch {
     double N, tx, ty;            /* N normal force, creep force along x and along the contact plane */
     double xi, eta, phi;         /* 1, 1, 1/m */
-    double rail_y, wheel_y, x, angle;
-    double body;
+    double rail_y, wheel_y, x;   /* m, lateral in the profile axes of rail and wheel; ahead of the wheelset's centre */
+    double angle;                /* rad, contact angle */
+    double body;                 /* number of the rail body, from 0 */
 };
 
 struct wheel_output {
     double Q, Y, T;              /* N on the rail */
     double Mx;                   /* N m of Q and Y about the track axis at rail level */
-    double check;                /* N of the flange's back on the check rail, part of Y: set by check_add */
+    double check;                /* N of the flange's back on the check rail, part of Y: set by check_rail_add */
     double force[3], moment[3];  /* N, N m on the wheelset: x y z, about x, about the axle, about z */
     double rail_z;               /* m deflection of the rail under the wheel */
     int patches;                 /* with N > 0, the most loaded first */

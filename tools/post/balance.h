@@ -5,8 +5,8 @@
  *   sum Q            = sum m (g - az)
  *   sum Y            = - sum m ay
  *   sum (y' Q - z Y) = sum [ y' m (g - az) + z m ay - Jx roll'' ] + sum H r'                        */
-#ifndef VX_BALANCE_H
-#define VX_BALANCE_H
+#ifndef VX_POST_BALANCE_H
+#define VX_POST_BALANCE_H
 
 #include "formats/run.h"
 

@@ -1,6 +1,6 @@
 /* Extremes of a run gathered by zone of the railpads. */
-#ifndef VX_ZONES_H
-#define VX_ZONES_H
+#ifndef VX_POST_ZONES_H
+#define VX_POST_ZONES_H
 
 #include "formats/run.h"
 

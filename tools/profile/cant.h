@@ -3,8 +3,8 @@
  * The section turns about x through atan(cant) round the point y = 0, z = 0, the top of its centre line, which keeps its place:
  * the top leans to -y, the gauge side goes down.  Heights are then counted from the highest point again (section.c), so that
  * the top is z = 0 and y = 0 is still the turned centre line's upper end. */
-#ifndef VX_CANT_H
-#define VX_CANT_H
+#ifndef VX_PROFILE_CANT_H
+#define VX_PROFILE_CANT_H
 
 #include <stdint.h>
 

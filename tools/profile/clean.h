@@ -1,6 +1,6 @@
 /* What measured points need before a curve can go through them, and what a curve needs before it is a function of y. */
-#ifndef VX_CLEAN_H
-#define VX_CLEAN_H
+#ifndef VX_PROFILE_CLEAN_H
+#define VX_PROFILE_CLEAN_H
 
 #include "formats/points.h"
 #include "tools/profile/outline.h"

@@ -1,7 +1,7 @@
 /* A smooth curve through points: y and z each a smoothing spline over the length along the points, so that steep faces are
  * as good as flat ones. */
-#ifndef VX_CURVE_H
-#define VX_CURVE_H
+#ifndef VX_PROFILE_CURVE_H
+#define VX_PROFILE_CURVE_H
 
 #include "formats/points.h"
 #include "tools/profile/spline.h"

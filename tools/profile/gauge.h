@@ -2,8 +2,8 @@
  *
  * Right side: y to the right, z down, the gauge face on the side of -y.  The gauge is measured between the innermost points of the two
  * heads from their tops down to gauge_depth, 14 mm (EN 13848-1). */
-#ifndef VX_GAUGE_H
-#define VX_GAUGE_H
+#ifndef VX_PROFILE_GAUGE_H
+#define VX_PROFILE_GAUGE_H
 
 #include "tools/profile/outline.h"
 

@@ -41,7 +41,9 @@ static double crown_height(const struct outline *o, double y)
     return d >= 0 ? outline_height(o, y) : o->z[i] + d * (o->slope[i] + d * second / 2);
 }
 
-void head_round(int64_t n, double step, double r, double *z, double *work)
+/* Heights z[n] (m) at even steps of y become the upper edge of all discs of radius r (m) that fit below them; INFINITY is no
+ * material.  work[n]. */
+static void head_round(int64_t n, double step, double r, double *z, double *work)
 {
     int64_t m = (int64_t)(r / step);
 

@@ -3,8 +3,8 @@
  * A right rail: y to the right, field side positive, z down from the top of the plain rail, the gauge face at -y.  What is left
  * of a head lies below all the surfaces it is cut by, so its own is the deepest of them; its edges are then rounded by the
  * discs that fit inside (a morphological opening). */
-#ifndef VX_HEAD_H
-#define VX_HEAD_H
+#ifndef VX_PROFILE_HEAD_H
+#define VX_PROFILE_HEAD_H
 
 #include "tools/profile/section.h"
 
@@ -33,9 +33,5 @@ struct head_top {
  * to a crown that carries a cone near the edge; the field side is that of the plain rail. */
 const char *head_wing(const struct section *rail, double share, const struct head_top *top, const struct head_options *o,
                       struct outline *wing);
-
-/* Heights z[n] (m) at even steps of y become the upper edge of all discs of radius r that fit below them; INFINITY is no
- * material.  work[n]. */
-void head_round(int64_t n, double step, double r, double *z, double *work);
 
 #endif

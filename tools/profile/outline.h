@@ -1,6 +1,6 @@
 /* One polyline of a .prof: y to the right, z down, y increasing. */
-#ifndef VX_OUTLINE_H
-#define VX_OUTLINE_H
+#ifndef VX_PROFILE_OUTLINE_H
+#define VX_PROFILE_OUTLINE_H
 
 #include <stdint.h>
 

@@ -3,8 +3,8 @@
  *
  * Seen from the route a train takes, s along its centre line, on the side that carries switch rail and nose.  Distances
  * count outwards from the route's running edge (half a gauge from its centre line), perpendicular to the route. */
-#ifndef VX_PLAN_H
-#define VX_PLAN_H
+#ifndef VX_PROFILE_PLAN_H
+#define VX_PROFILE_PLAN_H
 
 struct plan {
     double radius;       /* m, of the diverging centre line */

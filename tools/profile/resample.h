@@ -1,6 +1,6 @@
 /* A curve as an outline of evenly spaced points. */
-#ifndef VX_RESAMPLE_H
-#define VX_RESAMPLE_H
+#ifndef VX_PROFILE_RESAMPLE_H
+#define VX_PROFILE_RESAMPLE_H
 
 #include "tools/profile/curve.h"
 #include "tools/profile/outline.h"

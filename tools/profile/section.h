@@ -1,6 +1,6 @@
 /* From the points of a shape to the outline of a .prof: order, incline, smooth, resample, find the gauge face, cut the overhang. */
-#ifndef VX_SECTION_H
-#define VX_SECTION_H
+#ifndef VX_PROFILE_SECTION_H
+#define VX_PROFILE_SECTION_H
 
 #include "formats/points.h"
 #include "tools/profile/clean.h"

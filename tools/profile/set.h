@@ -1,6 +1,6 @@
 /* Outlines of rail bodies over stations, gathered into a .prof. */
-#ifndef VX_SET_H
-#define VX_SET_H
+#ifndef VX_PROFILE_SET_H
+#define VX_PROFILE_SET_H
 
 #include "formats/prof.h"
 #include "tools/profile/outline.h"

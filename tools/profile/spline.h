@@ -4,8 +4,8 @@
  *
  * Reinsch, Numer. Math. 10 (1967) 177; f'' = 0 at both ends.  With lambda = (L/2 pi)^4 a wave of length L keeps half its
  * amplitude, longer ones nearly all, shorter ones little.  lambda = 0 is the interpolating natural spline. */
-#ifndef VX_SPLINE_H
-#define VX_SPLINE_H
+#ifndef VX_PROFILE_SPLINE_H
+#define VX_PROFILE_SPLINE_H
 
 #include <stdint.h>
 

@@ -4,8 +4,8 @@
  * the closure rail, behind the throat the wing rail, which leaves outwards too.  Body 2, nose: along the running edge
  * again, then the plain rail.  The other side has one plain rail.  Outlines of a right rail, origin at the top of the plain rail on
  * the running edge; set_prof mirrors them where the side is the left one. */
-#ifndef VX_TURNOUT_H
-#define VX_TURNOUT_H
+#ifndef VX_PROFILE_TURNOUT_H
+#define VX_PROFILE_TURNOUT_H
 
 #include "formats/prof_text.h"
 #include "tools/profile/head.h"

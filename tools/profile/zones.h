@@ -1,6 +1,6 @@
 /* Published pieces of a shape (EN 13715, EN 13674-1: polynomials, arcs, lines over y) as points along it. */
-#ifndef VX_ZONES_H
-#define VX_ZONES_H
+#ifndef VX_PROFILE_ZONES_H
+#define VX_PROFILE_ZONES_H
 
 #include "formats/prof_text.h"
 

@@ -1,6 +1,6 @@
 /* Damping of the modes of a track, from its complex eigenvalues. */
-#ifndef VX_DAMPING_H
-#define VX_DAMPING_H
+#ifndef VX_RECEPTANCE_DAMPING_H
+#define VX_RECEPTANCE_DAMPING_H
 
 #include "formats/trk.h"
 

@@ -1,6 +1,6 @@
 /* Natural modes of a vehicle on wheelsets that are held. */
-#ifndef VX_DENSE_H
-#define VX_DENSE_H
+#ifndef VX_RECEPTANCE_DENSE_H
+#define VX_RECEPTANCE_DENSE_H
 
 #include "formats/mod.h"
 #include "formats/veh.h"

@@ -1,6 +1,6 @@
 /* Solutions of (K + s C + s^2 M) u = f at complex s; s = i omega gives the response to f exp(i omega t). */
-#ifndef VX_DIRECT_H
-#define VX_DIRECT_H
+#ifndef VX_RECEPTANCE_DIRECT_H
+#define VX_RECEPTANCE_DIRECT_H
 
 #include <complex.h>
 

@@ -1,6 +1,6 @@
 /* Natural modes of a track: K x = omega^2 M x. */
-#ifndef VX_MODES_H
-#define VX_MODES_H
+#ifndef VX_RECEPTANCE_MODES_H
+#define VX_RECEPTANCE_MODES_H
 
 #include "formats/mod.h"
 #include "formats/trk.h"

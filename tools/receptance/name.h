@@ -1,6 +1,6 @@
 /* What an engineer calls a mode of a vehicle. */
-#ifndef VX_NAME_H
-#define VX_NAME_H
+#ifndef VX_RECEPTANCE_NAME_H
+#define VX_RECEPTANCE_NAME_H
 
 #include "formats/veh.h"
 

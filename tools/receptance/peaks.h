@@ -1,6 +1,6 @@
 /* Peaks and dips of a receptance. */
-#ifndef VX_PEAKS_H
-#define VX_PEAKS_H
+#ifndef VX_RECEPTANCE_PEAKS_H
+#define VX_RECEPTANCE_PEAKS_H
 
 #include <stdint.h>
 

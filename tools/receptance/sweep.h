@@ -1,6 +1,6 @@
 /* Receptance of a track over frequency: deflection of the rail over the force on it, exp(+i omega t), z down. */
-#ifndef VX_SWEEP_H
-#define VX_SWEEP_H
+#ifndef VX_RECEPTANCE_SWEEP_H
+#define VX_RECEPTANCE_SWEEP_H
 
 #include "formats/frf.h"
 #include "formats/trk.h"

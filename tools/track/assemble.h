@@ -1,6 +1,6 @@
 /* K, C and M of a track on one full symmetric pattern. */
-#ifndef VX_ASSEMBLE_H
-#define VX_ASSEMBLE_H
+#ifndef VX_TRACK_ASSEMBLE_H
+#define VX_TRACK_ASSEMBLE_H
 
 #include "formats/trk.h"
 

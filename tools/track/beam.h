@@ -2,8 +2,8 @@
  *
  * x forward, z down.  Its four degrees of freedom are [w1 t1 w2 t2]: deflection w down and pitch t = -dw/dx, right-handed
  * about y, at its near and far end.  a is the distance from the near end, b = L - a. */
-#ifndef VX_BEAM_H
-#define VX_BEAM_H
+#ifndef VX_TRACK_BEAM_H
+#define VX_TRACK_BEAM_H
 
 /* K [4][4], N/m, N and N m, of bending stiffness EI (N m2) over the length L (m). */
 void beam_stiffness(double EI, double L, double K[4][4]);

@@ -1,6 +1,6 @@
 /* From the track input to nodes, sleepers, springs and the numbering of the degrees of freedom. */
-#ifndef VX_LAYOUT_H
-#define VX_LAYOUT_H
+#ifndef VX_TRACK_LAYOUT_H
+#define VX_TRACK_LAYOUT_H
 
 #include "formats/trk.h"
 #include "formats/trk_text.h"

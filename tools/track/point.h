@@ -1,8 +1,8 @@
 /* A point on the rails between two nodes: where a force enters and a deflection is read.
  *
  * x forward, z down; deflection and force are positive down. */
-#ifndef VX_POINT_H
-#define VX_POINT_H
+#ifndef VX_TRACK_POINT_H
+#define VX_TRACK_POINT_H
 
 #include "formats/trk.h"
 

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "formats/reason.h"
-#include "tools/track/static.h"
+#include "tools/track/cholesky.h"
 
 static void spread(const struct trk *t, const struct point *p, int excite, double load, double *f)
 {
@@ -38,14 +38,14 @@ static void take(struct seat *s, const struct trk *t, const struct point *p, int
 
 const char *seat_load(struct seat *s, const struct trk *t, const struct point *p, int excite, double load)
 {
-    struct statics solver;
+    struct cholesky solver;
     double *u = calloc((size_t)t->dofs, sizeof *u);
-    const char *why = u ? static_new(&solver, t) : REASON_MEMORY;
+    const char *why = u ? cholesky_new(&solver, t) : REASON_MEMORY;
 
     if (!why) {
         spread(t, p, excite, load, u);
-        why = static_solve(&solver, u, u);
-        static_free(&solver);
+        why = cholesky_solve(&solver, u, u);
+        cholesky_free(&solver);
     }
     if (!why)
         take(s, t, p, point_rail(excite), load, u);

@@ -1,6 +1,6 @@
 /* What a static load does to the track under it. */
-#ifndef VX_SEAT_H
-#define VX_SEAT_H
+#ifndef VX_TRACK_SEAT_H
+#define VX_TRACK_SEAT_H
 
 #include "formats/trk.h"
 #include "tools/track/point.h"

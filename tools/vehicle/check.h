@@ -1,6 +1,6 @@
 /* Whether a vehicle is what its author meant: weight, balance, and that nothing is loose. */
-#ifndef VX_CHECK_H
-#define VX_CHECK_H
+#ifndef VX_VEHICLE_CHECK_H
+#define VX_VEHICLE_CHECK_H
 
 #include "formats/veh.h"
 

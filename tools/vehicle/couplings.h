@@ -1,8 +1,8 @@
 /* Forces of all couplings of a vehicle: springs, dampers, stops.
  *
  * x forward, y to the right, z down; displacements count from rest, in one straight frame common to the bodies. */
-#ifndef VX_COUPLINGS_H
-#define VX_COUPLINGS_H
+#ifndef VX_VEHICLE_COUPLINGS_H
+#define VX_VEHICLE_COUPLINGS_H
 
 #include "formats/veh.h"
 

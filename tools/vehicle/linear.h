@@ -1,6 +1,6 @@
 /* Mass, damping and stiffness of a vehicle about rest, wheelsets free. */
-#ifndef VX_LINEAR_H
-#define VX_LINEAR_H
+#ifndef VX_VEHICLE_LINEAR_H
+#define VX_VEHICLE_LINEAR_H
 
 #include "formats/veh.h"
 

@@ -1,6 +1,6 @@
 /* Small dense symmetric matrices that may be singular: L D L' without exchange of rows. */
-#ifndef VX_SEMIDEFINITE_H
-#define VX_SEMIDEFINITE_H
+#ifndef VX_VEHICLE_SEMIDEFINITE_H
+#define VX_VEHICLE_SEMIDEFINITE_H
 
 #include <stdint.h>
 

@@ -1,8 +1,8 @@
 /* The vehicle at rest on straight level track: what the couplings carry and how the weight reaches the wheels.
  *
  * x forward, y to the right, z down. */
-#ifndef VX_STATICS_H
-#define VX_STATICS_H
+#ifndef VX_VEHICLE_STATICS_H
+#define VX_VEHICLE_STATICS_H
 
 #include "formats/veh.h"
 

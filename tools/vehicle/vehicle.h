@@ -1,6 +1,6 @@
 /* From a vehicle input to the vehicle at rest. */
-#ifndef VX_VEHICLE_H
-#define VX_VEHICLE_H
+#ifndef VX_VEHICLE_VEHICLE_H
+#define VX_VEHICLE_VEHICLE_H
 
 #include "formats/veh.h"
 #include "formats/veh_text.h"

@@ -1,4 +1,4 @@
-#include "tools/integrate/check.h"
+#include "tools/integrate/check_rail.h"
 
 #include <math.h>
 
@@ -18,7 +18,7 @@ static int find_play(const struct trk *t, double s, double *play, double *slope)
 }
 
 /* On the right the back of the flange meets the check rail when the wheelset moves left, by e = -y - play at rail level. */
-void check_add(const struct trk *t, int side, const struct wheel_input *in, struct wheel_output *out)
+void check_rail_add(const struct trk *t, int side, const struct wheel_input *in, struct wheel_output *out)
 {
     double play, slope, sign = side == TRK_RIGHT ? 1 : -1, e, rate, F;
 

@@ -1,5 +1,5 @@
 /* Static load on a uniform track: stiffness, the loads of seats and pads against an independent program, equilibrium, closed forms. */
-#include "tools/track/static.h"
+#include "tools/track/cholesky.h"
 
 #include "tests/kernel/table1.h"
 #include "tests/kernel/tap.h"
@@ -64,12 +64,12 @@ static void equilibrium(void)
 {
     static double u[300];
     struct trk t;
-    struct statics s;
+    struct cholesky s;
     double force = 0, moment = 0, f = 1000;
 
-    ok(table1(&t, NULL, 0) == NULL && static_new(&s, &t) == NULL, "factors");
+    ok(table1(&t, NULL, 0) == NULL && cholesky_new(&s, &t) == NULL, "factors");
     u[t.node_dof[20]] = f;
-    ok(static_solve(&s, u, u) == NULL, "solves in place");
+    ok(cholesky_solve(&s, u, u) == NULL, "solves in place");
     for (int64_t k = 0; k < t.sleepers; k++)
         for (int b = 0; b < TRK_BALLAST; b++) {
             const int64_t z = t.sleeper_dof[k];
@@ -79,7 +79,7 @@ static void equilibrium(void)
         }
     near(force, f, 1e-9, "the ballast carries the load");
     near(moment, f * -0.75, 1e-9, "on the side of the rail it is on");
-    static_free(&s);
+    cholesky_free(&s);
     trk_free(&t);
 }
 
@@ -87,10 +87,10 @@ static void refusals(void)
 {
     const char *set[] = {"ballast.stiffness=1e-20"};
     struct trk t;
-    struct statics s;
+    struct cholesky s;
 
-    ok(table1(&t, set, 1) == NULL && static_new(&s, &t) != NULL, "a track that nothing carries is refused");
-    static_free(&s);
+    ok(table1(&t, set, 1) == NULL && cholesky_new(&s, &t) != NULL, "a track that nothing carries is refused");
+    cholesky_free(&s);
     trk_free(&t);
 }
 

@@ -1,5 +1,5 @@
 /* The check rail: play along its flares, one-sided push at rail level, damping, no pull. */
-#include "tools/integrate/check.h"
+#include "tools/integrate/check_rail.h"
 
 #include <string.h>
 
@@ -16,7 +16,7 @@ static struct wheel_output push(int on, int side, double s, double y, double rol
     struct wheel_output out;
 
     memset(&out, 0, sizeof out);
-    check_add(&t, side, &in, &out);
+    check_rail_add(&t, side, &in, &out);
     return out;
 }
 

@@ -1,6 +1,6 @@
 /* K = L D L' by CHOLMOD's simplicial method, which gives the same bits with every BLAS.  It accepts negative pivots, so these
  * are looked for here; one solve is checked by its residual. */
-#include "tools/track/static.h"
+#include "tools/track/cholesky.h"
 
 #include <float.h>
 #include <math.h>
@@ -41,7 +41,7 @@ static const char *check_pivots(const cholmod_factor *L)
 }
 
 /* f = 1 everywhere: |K u - f| <= c n eps (|K| |u| + |f|), in sums, which a NaN spoils. */
-static const char *check_residual(struct statics *s)
+static const char *check_residual(struct cholesky *s)
 {
     const struct trk *t = s->track;
     const size_t n = (size_t)t->dofs;
@@ -52,7 +52,7 @@ static const char *check_residual(struct statics *s)
 
     for (size_t i = 0; i < n; i++)
         r[i] = 1;
-    const char *why = static_solve(s, r, u);
+    const char *why = cholesky_solve(s, r, u);
     for (size_t j = 0; j < n && !why; j++)
         for (int64_t p = t->Ap[j]; p < t->Ap[j + 1]; p++) {
             r[t->Ai[p]] -= t->Kx[p] * u[j];
@@ -69,7 +69,7 @@ static const char *check_residual(struct statics *s)
     return why;
 }
 
-static const char *factor(struct statics *s)
+static const char *factor(struct cholesky *s)
 {
     cholmod_sparse K = matrix(s->track);
 
@@ -83,7 +83,7 @@ static const char *factor(struct statics *s)
     return why ? why : check_residual(s);
 }
 
-const char *static_new(struct statics *s, const struct trk *t)
+const char *cholesky_new(struct cholesky *s, const struct trk *t)
 {
     memset(s, 0, sizeof *s);
     cholmod_common *c = calloc(1, sizeof *c);
@@ -96,11 +96,11 @@ const char *static_new(struct statics *s, const struct trk *t)
     s->common = c;
     const char *why = factor(s);
     if (why)
-        static_free(s);
+        cholesky_free(s);
     return why;
 }
 
-const char *static_solve(struct statics *s, const double *f, double *u)
+const char *cholesky_solve(struct cholesky *s, const double *f, double *u)
 {
     const size_t n = (size_t)s->track->dofs;
     cholmod_dense F = {.nrow = n, .ncol = 1, .nzmax = n, .d = n, .x = (void *)f, .xtype = CHOLMOD_REAL, .dtype = CHOLMOD_DOUBLE};
@@ -113,7 +113,7 @@ const char *static_solve(struct statics *s, const double *f, double *u)
     return NULL;
 }
 
-void static_free(struct statics *s)
+void cholesky_free(struct cholesky *s)
 {
     if (s->common) {
         cholmod_l_free_factor((cholmod_factor **)&s->factor, s->common);
