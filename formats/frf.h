@@ -11,7 +11,7 @@ struct frf {
     int64_t n;
     const double *frequency;      /* Hz [n] increasing */
     const double *receptance;     /* m/N [n][2] real and imaginary part, of the loaded rail (left where both) */
-    const double *hermite;        /* m/N [n][2] the same by the thesis' equations 7 to 9; [0] above a sleeper */
+    const double *hermite;        /* m/N [n][2] the same by equations 7 to 9 of Lau and Hoff 2018; [0] above a sleeper */
     int64_t hermites;             /* n or 0 */
     void *store;
 };

@@ -6,7 +6,11 @@
 #include <stdarg.h>
 #include <stdio.h>
 
+#include "formats/reason.h"
+
 static int tap_run, tap_failed;
+
+static inline int ok(int holds, const char *format, ...) VX_PRINTF(2, 3);
 
 static inline int ok(int holds, const char *format, ...)
 {

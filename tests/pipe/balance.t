@@ -23,9 +23,9 @@ vxrun -o "$dir/d.run" "$dir/diverging.yaml" && vxrun --set step=5e-5 -o "$dir/h.
 ok $? "runs, and with half the step"
 
 residual() { vxpost --balance "$dir/d.run" | sed -n "s/^largest $1 residual over weight,\([^,]*\),.*/\1/p"; }
-between "$(residual vertical)" 0 1e-6 "sum of Q against weight and accelerations, over weight"
-between "$(residual lateral)" 0 1e-6 "sum of Y against accelerations, over weight"
-between "$(residual roll)" 0 1e-3 "moments about the track, m times weight"
+between "$(residual vertical)" 0 1e-12 "sum of Q against weight and accelerations, over weight"
+between "$(residual lateral)" 0 1e-12 "sum of Y against accelerations, over weight"
+between "$(residual roll)" 0 1e-11 "moments about the track, m times weight"
 
 # Ten bays of plain straight track under the whole train: front wheelset from -6.5 to -0.5 m.
 columns "$dir/d.run" station wheel.Q >"$dir/Q.csv"

@@ -74,5 +74,5 @@ awk -F, -v rail="$rail" '
     }' "$dir/bodies" "$dir/run.csv" >"$dir/ratios"
 sed -n 3p "$dir/ratios"
 between "$(sed -n 1p "$dir/ratios")" 0.99 1.01 "load moved to the left over that of statics"
-between "$(sed -n 2p "$dir/ratios")" 0.99 1.01 "sum of Y over m v^2/R to the left"
+between "$(sed -n 2p "$dir/ratios")" 0.9999 1.0001 "sum of Y over m v^2/R to the left"
 done_testing

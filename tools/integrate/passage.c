@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define STEP_MARGIN 0.94   /* of 2/omega: damping lowers the limit; Table 1 of the thesis runs at 0.94 and fails at 0.99 */
+#define STEP_MARGIN 0.94   /* of 2/omega: damping lowers the limit; Table 1 of Lau and Hoff 2018 runs at 0.94 and fails at 0.99 */
 #define END_MARGIN 5.0     /* m that every wheel keeps from a free rail end */
 
 /* ---- checks ---- */
