@@ -20,7 +20,7 @@
 
 static const char usage[] =
     "vxrun [-v] [--track T.trk] [--vehicle V.veh] [--contact-left L.ctab] [--contact-right R.ctab]\n"
-    "      [--set KEY=VALUE]... -o OUT.run CASE.yaml\n"
+    "      [--set KEY=VALUE]... [-o OUT.run] CASE.yaml\n"
     "vxrun --schema | --master";
 
 static struct {
@@ -48,6 +48,22 @@ static const struct cli_program program = {
     .usage = usage,
     .option = options,
 };
+
+/* The operand, or NULL where the schema or the master file is asked for. */
+static const char *parse(int argc, char **argv)
+{
+    int n, asks;
+    char **operand = cli_begin(&program, argc, argv, 0, 1, &n);
+
+    asks = opt.schema + opt.master;
+    if (asks > 1)
+        cli_misuse("--schema and --master exclude each other");
+    if (asks && (n || opt.track || opt.vehicle || opt.left || opt.right || opt.set.n || opt.out))
+        cli_misuse("--%s stands alone", opt.schema ? "schema" : "master");
+    if (!asks && !n)
+        cli_misuse("the case is missing (-h shows the usage)");
+    return asks ? NULL : operand[0];
+}
 
 struct inputs {
     struct case_text text;
@@ -92,8 +108,10 @@ static void open_input(struct vxf *f, const char *option, const char *spelled, c
 static void read_inputs(struct inputs *in, const char *path)
 {
     const struct case_text *c = &in->text;
+    const char *why;
 
-    cli_check("case", yaml_read(path, &case_text_schema, opt.set.item, opt.set.n, &in->text, &in->hash));
+    if ((why = yaml_read(path, &case_text_schema, opt.set.item, opt.set.n, &in->text, &in->hash)))
+        cli_die("%s", why); /* begins with its place */
     open_input(&in->file[0], opt.track, "--track", path, c->track, "trk");
     open_input(&in->file[1], opt.vehicle, "--vehicle", path, c->vehicle, "veh");
     open_input(&in->file[2], opt.left, "--contact-left", path, c->contact_left, "ctab");
@@ -224,16 +242,13 @@ int main(int argc, char **argv)
     struct vxf_out head;
     struct cli_out out;
     double begun = seconds(), started, residual;
-    int n;
-    char **path = cli_begin(&program, argc, argv, 0, 1, &n);
+    const char *path = parse(argc, argv);
 
-    if (opt.schema || opt.master) {
+    if (!path) {
         (opt.schema ? yaml_print_schema : yaml_print_master)(&case_text_schema, stdout);
         return cli_end();
     }
-    if (n == 0)
-        cli_misuse("the case is missing (-h shows the usage)");
-    read_inputs(&in, path[0]);
+    read_inputs(&in, path);
     struct passage_options o = passage_options(&in.text);
     cli_check("case", passage_new(&p, &o, &in.track, &in.vehicle, &in.table[0], &in.table[1]));
     cli_check("start", passage_start(&p, &residual));

@@ -1,0 +1,122 @@
+#!/bin/sh
+# vxrun: what it takes, where it finds its inputs, and what it refuses without leaving a file.
+. tests/tap.sh
+. tests/passage.sh
+
+plain_tables && coach
+ok $? "contact tables and coach"
+vxtrack --set from=-60 --set length=120 -o "$dir/t.trk" data/tracks/thesis-straight.yaml
+ok $? "track"
+mkdir "$dir/cases"
+cat >"$dir/cases/plain.yaml" <<'END'
+case:
+  name: plain
+  track: ../t.trk
+  vehicle: ../coach.veh
+  contact_left: ../l.ctab
+  contact_right: ../r.ctab
+  speed_kmh: 80
+  start: -30
+  end: -29
+END
+plain=$dir/cases/plain.yaml
+
+vxrun -o "$dir/a.run" "$plain"
+ok $? "files that a case names lie beside the case"
+grep -v 'track:\|vehicle:\|contact_' "$plain" >"$dir/bare.yaml"
+vxrun --track "$dir/t.trk" --vehicle "$dir/coach.veh" --contact-left "$dir/l.ctab" --contact-right "$dir/r.ctab" -o "$dir/b.run" "$dir/bare.yaml"
+ok $? "or are named on the command line"
+vxcmp "$dir/a.run" "$dir/b.run" >/dev/null
+ok $? "with the same result"
+(cd "$dir/cases" && vxrun plain.yaml) | vxinfo - >"$dir/info"
+ok $? "from its own folder, to standard output"
+vxrun --set step=5e-5 -v -o "$dir/c.run" "$plain" >"$dir/out" 2>"$dir/err"
+[ ! -s "$dir/out" ] && grep -q '^vxrun: 900 steps of 5e-05 s, limit 0.00019' "$dir/err"
+ok $? "-v tells steps and limit on standard error"
+vxinfo --history "$dir/c.run" | grep -q 'vxrun --set step=5e-05 -v\|vxrun --set step=5e-5 -v'
+ok $? "--set is part of the history"
+records() { vxinfo "$1" | sed -n 's/^records *\([0-9]*\) .*/\1/p'; }
+is "$(records "$dir/a.run")" 46 "46 samples at 1 kHz: 45 ms and the start"
+vxrun --set sampling=1e7 -o "$dir/d.run" "$plain"
+is "$(records "$dir/d.run")" 451 "every step where the sampling is finer"
+vxrun --set channels.wheels=false --set channels.bodies=false --set channels.pads=false --set channels.ballast=false \
+    --set channels.sleepers=false --set channels.rails=false -o "$dir/e.run" "$plain"
+is "$(vxinfo "$dir/e.run" | awk '$1 == "series" {print $2}' | tr '\n' ' ')" "time station " "no channel but time and station"
+vxpost --wheels "$dir/a.run" >"$dir/wheels.csv"
+vxpost --wheels "$dir/e.run" | cmp -s - "$dir/wheels.csv"
+ok $? "extremes do not depend on the channels kept"
+
+vxrun --master >"$dir/master.yaml"
+sed -e 's/name: .*/name: x/' -e 's/speed_kmh: .*/speed_kmh: 80/' -e '/^  dip:/,$d' "$dir/master.yaml" >"$dir/filled.yaml"
+fails 2 "the master filled in, without a dip, lacks only its files" vxrun "$dir/filled.yaml"
+like "$(cat "$dir/err")" "names no .trk file, and --track is not given" "and says so"
+vxrun --schema | grep -q '^contact.law	word	-	hertz|linear	hertz	'
+ok $? "--schema names the keys with range and default"
+
+# refuses STATUS WORD WHAT ARGUMENT...: and leaves neither a .run nor a .part.
+refuses()
+{
+    status=$1 word=$2 what=$3
+    shift 3
+    fails $status "$what" vxrun -o "$dir/x.run" "$@"
+    like "$(cat "$dir/err")" "$word" "... $word"
+    [ -e "$dir/x.run" ] || [ -e "$dir/x.run.part" ]
+    [ $? -ne 0 ]
+    ok $? "... and leaves no file"
+}
+
+fails 2 "no case" vxrun
+fails 2 "two cases" vxrun "$plain" "$plain"
+fails 2 "--schema with --master" vxrun --schema --master
+fails 2 "--schema with a case" vxrun --schema "$plain"
+fails 2 "--master with --set" vxrun --master --set step=1e-4
+refuses 1 "No such file" "a case that is not there" "$dir/none.yaml"
+refuses 2 "names no .trk file" "no track" "$dir/bare.yaml"
+sed 's/speed_kmh: 80/speed_kmh: 80 km\/h/' "$plain" >"$dir/cases/unit.yaml"
+refuses 1 "^vxrun: $dir/cases/unit.yaml:7:14: error: " "a unit in a number" "$dir/cases/unit.yaml"
+sed 's/start:/strat:/' "$plain" >"$dir/cases/key.yaml"
+refuses 1 "^vxrun: $dir/cases/key.yaml:8:3: error: unknown key strat in case, did you mean start?" "an unknown key" "$dir/cases/key.yaml"
+sed '/speed_kmh/d' "$plain" >"$dir/cases/missing.yaml"
+refuses 1 "speed_kmh" "a missing key" "$dir/cases/missing.yaml"
+refuses 1 "stepp" "an unknown key in --set" --set stepp=1 "$plain"
+refuses 1 "at least\|>= 1" "no speed" --set speed_kmh=0 "$plain"
+refuses 1 "one of explicit" "a scheme that is not built" --set scheme=newmark "$plain"
+refuses 1 "one of facing" "a direction that is not built" --set direction=trailing "$plain"
+refuses 1 "a .veh file where a .trk file is wanted" "the wrong kind" --track "$dir/coach.veh" "$plain"
+refuses 1 "a .ctab file where a .veh file is wanted" "another" --vehicle "$dir/l.ctab" "$plain"
+refuses 1 "one of a left and one of a right" "a table of the other side" --contact-left "$dir/r.ctab" "$plain"
+refuses 1 "one of a left and one of a right" "both exchanged" --contact-left "$dir/r.ctab" --contact-right "$dir/l.ctab" "$plain"
+head -c 100000 "$dir/l.ctab" >"$dir/cut.ctab"
+refuses 1 "cut.ctab: truncated" "a table cut short" --contact-left "$dir/cut.ctab" "$plain"
+refuses 1 "beyond the limit of the explicit scheme" "too long a step" --set step=2e-4 "$plain"
+refuses 1 "the last wheelset would start at -71.56 m" "a start before the track" --set start=-50 "$plain"
+refuses 1 "the front wheelset would end at 60.00 m" "an end beyond it" --set end=60 "$plain"
+refuses 1 "must lie beyond start" "an end before the start" --set end=-31 "$plain"
+refuses 1 "not a whole number of steps" "samples between steps" --set sampling=3000 "$plain"
+vxvehicle --set wheelset.1.radius=0.45 --set coupling.1.at=[0,1.0,0.45] -o "$dir/small.veh" data/vehicles/manchester-passenger.yaml
+refuses 1 "wheelset 1 has radius 0.45 m" "a wheel that is not the table's" --vehicle "$dir/small.veh" "$plain"
+vxtrack --set from=-60 --set length=120 --set rail.elements_per_bay=2 -o "$dir/fine.trk" data/tracks/thesis-straight.yaml
+refuses 1 "one rail node above every sleeper" "a finer track" --track "$dir/fine.trk" "$plain"
+vxtrack --set from=-60 --set length=120 --set 'curve=[{from: -40, curvature: 0.002}]' -o "$dir/curve.trk" data/tracks/thesis-straight.yaml
+refuses 1 "in or behind a curve" "a start in a curve" --track "$dir/curve.trk" "$plain"
+
+fails 1 "a full disk" vxrun -o /dev/full "$plain"
+vxrun "$plain" >/dev/full 2>"$dir/err"
+is "$? $(cat "$dir/err")" "1 vxrun: standard output: write error" "a full standard output"
+fails 1 "a folder that is not there" vxrun -o "$dir/no/x.run" "$plain"
+
+# A wheel that leaves its table on the way: the .part keeps what was done, for those who want to see why.
+for side in l r; do
+    vxcontact --wheel "$dir/w$side.prof" --rail "$dir/r$side.prof" --yaw exact --u-max 0.004 -o "$dir/narrow-$side.ctab"
+done
+vxtrack --set from=-60 --set length=120 --set 'curve=[{from: -29, curvature: 0.002}]' -o "$dir/curve.trk" data/tracks/thesis-straight.yaml
+fails 1 "a wheel that leaves its rail" vxrun --track "$dir/curve.trk" --contact-left "$dir/narrow-l.ctab" --contact-right "$dir/narrow-r.ctab" \
+    --set end=30 -o "$dir/x.run" "$plain"
+like "$(cat "$dir/err")" 'wheelset 1, .* wheel, station -[0-9.]* m: the wheel is .* mm beside its rail' "says where"
+[ ! -e "$dir/x.run" ]
+ok $? "leaves no .run"
+is "$(vxinfo "$dir/x.run.part" | head -n 1 | grep -c 'NOT COMPLETE')" 1 "but a .part"
+at=$(sed -n 's/.*station \(-[0-9.]*\) m.*/\1/p' "$dir/err")
+last=$(vxdump --csv "$dir/x.run.part" station | tail -n 1)
+between "$last" "$(echo "$at" | awk '{print $1 - 0.023}')" "$at" "with samples up to there"
+done_testing
