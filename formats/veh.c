@@ -113,7 +113,7 @@ static const char *check_wheelsets(const struct veh *v)
     return NULL;
 }
 
-static int is_wheelset(const struct veh *v, int64_t body)
+int veh_is_wheelset(const struct veh *v, int64_t body)
 {
     for (int64_t w = 0; w < v->wheelsets; w++)
         if (v->wheelset[w] == body)
@@ -130,7 +130,7 @@ static const char *check_ends(const struct veh *v, int64_t c)
     for (int k = 0; k < 2; k++) {
         if (end[k] < 0 || end[k] >= v->bodies)
             return reason("coupling %s: no body %lld", v->coupling_name[c], (long long)end[k]);
-        wheelset[k] = is_wheelset(v, end[k]);
+        wheelset[k] = veh_is_wheelset(v, end[k]);
         const double *at = &v->point[3*c], *cg = &v->cg[3*end[k]];
         if (wheelset[k] && (at[VEH_X] != cg[VEH_X] || at[VEH_Z] != cg[VEH_Z]))
             return reason("coupling %s: must sit on the axle of wheelset %s, at x %g, height %g", v->coupling_name[c],

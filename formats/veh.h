@@ -49,6 +49,9 @@ void *veh_room(struct veh *v, int64_t n, size_t size);
 /* What veh_read and veh_put ask of a vehicle, its matrices and loads aside. */
 const char *veh_check(const struct veh *v);
 
+/* 1 where the body is a wheelset, else 0. */
+int veh_is_wheelset(const struct veh *v, int64_t body);
+
 const char *veh_read(struct veh *v, const struct vxf *f);
 const char *veh_put(const struct veh *v, struct vxf_out *o);
 void veh_free(struct veh *v);

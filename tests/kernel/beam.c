@@ -76,6 +76,19 @@ static void shape(void)
     near(beam_compliance(6.11e6, 0.6, 0.3), 1.841e-10, 1e-13, "1.841e-10 m/N for a bay of 0.6 m");
 }
 
+/* The cubic's own derivative: central differences are exact but for h^2 of its third derivative, 12/L^3. */
+static void slope(void)
+{
+    double before[4], behind[4], D[4];
+    const double h = 1e-5, a = 0.23;
+
+    beam_shape(L, a - h, before);
+    beam_shape(L, a + h, behind);
+    beam_slope(L, a, D);
+    for (int i = 0; i < 4; i++)
+        near((behind[i] - before[i]) / (2 * h), D[i], 1e-8, "beam_slope is the derivative of beam_shape");
+}
+
 int main(void)
 {
     double K[4][4];
@@ -86,5 +99,6 @@ int main(void)
     cantilever(K);
     simply_supported(K);
     shape();
+    slope();
     return done();
 }

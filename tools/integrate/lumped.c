@@ -200,18 +200,6 @@ void lumped_accelerate(struct lumped *l)
 
 /* ---- wheels ---- */
 
-/* Hermite functions of [w1 t1 w2 t2] by x, with e = a/L:
- *   N' = [6(e^2 - e)/L, -(1 - 4e + 3e^2), 6(e - e^2)/L, -(3e^2 - 2e)]. */
-static void shape_slope(double L, double a, double N[4])
-{
-    double e = a / L;
-
-    N[0] = 6 * (e * e - e) / L;
-    N[1] = -(1 - 4 * e + 3 * e * e);
-    N[2] = -N[0];
-    N[3] = -(3 * e * e - 2 * e);
-}
-
 /* Nodes stand evenly or nearly so: guess, then walk. */
 int64_t lumped_element(const struct lumped *l, double x)
 {
@@ -233,7 +221,7 @@ struct lumped_place lumped_find(const struct lumped *l, int rail, double x)
     double L = node[1] - node[0], a = x - node[0];
 
     beam_shape(L, a, p.shape);
-    shape_slope(L, a, p.slope);
+    beam_slope(L, a, p.slope);
     p.compliance = beam_compliance(l->track->bending[rail * (l->n - 1) + p.node], L, a);
     return p;
 }

@@ -154,20 +154,12 @@ static const char *settle_spin(struct rest *r, int64_t i)
 
 /* ---- bodies ---- */
 
-static int is_wheelset(const struct veh *v, int64_t body)
-{
-    for (int64_t i = 0; i < v->wheelsets; i++)
-        if (v->wheelset[i] == body)
-            return 1;
-    return 0;
-}
-
 static void find_free(struct rest *r)
 {
     const struct veh *v = r->p->vehicle;
 
     for (int64_t i = 0; i < v->bodies; i++)
-        for (int k = 0; k < 6 && !is_wheelset(v, i); k++)
+        for (int k = 0; k < 6 && !veh_is_wheelset(v, i); k++)
             r->free[r->n++] = 6 * i + k;
 }
 

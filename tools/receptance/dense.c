@@ -23,14 +23,6 @@ struct held {
     double *ratio;             /* [n] damping */
 };
 
-static int is_wheelset(const struct veh *v, int64_t body)
-{
-    for (int64_t w = 0; w < v->wheelsets; w++)
-        if (v->wheelset[w] == body)
-            return 1;
-    return 0;
-}
-
 static const char *held_new(struct held *h, const struct veh *v)
 {
     const int64_t all = VEH_DOFS * v->bodies, n = VEH_DOFS * (v->bodies - v->wheelsets);
@@ -49,7 +41,7 @@ static const char *held_new(struct held *h, const struct veh *v)
     h->lambda = h->shape + square;
     h->ratio = h->lambda + n;
     for (int64_t d = 0, k = 0; d < all; d++)
-        if (!is_wheelset(v, d / VEH_DOFS))
+        if (!veh_is_wheelset(v, d / VEH_DOFS))
             h->dof[k++] = d;
     for (int64_t i = 0; i < n; i++)
         for (int64_t j = 0; j < n; j++) {

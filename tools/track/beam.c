@@ -27,6 +27,16 @@ void beam_shape(double L, double a, double N[4])
     N[3] = -L * (r3 - r2);
 }
 
+void beam_slope(double L, double a, double D[4])
+{
+    const double r = a / L;
+
+    D[0] = 6 * (r * r - r) / L;
+    D[1] = -(1 - 4 * r + 3 * r * r);
+    D[2] = -D[0];
+    D[3] = -(3 * r * r - 2 * r);
+}
+
 double beam_compliance(double EI, double L, double a)
 {
     const double b = L - a, ab = a * b;

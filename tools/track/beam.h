@@ -11,6 +11,9 @@ void beam_stiffness(double EI, double L, double K[4][4]);
 /* N [4]: the deflection at a is N.[w1 t1 w2 t2]; a unit force at a loads the ends by N (Hermite). */
 void beam_shape(double L, double a, double N[4]);
 
+/* 1/m, 1 [4]: dN/da, so that the slope dw/dx at a is D.[w1 t1 w2 t2]. */
+void beam_slope(double L, double a, double D[4]);
+
 /* m/N: deflection at a of the element with both ends held, under a unit force at a. */
 double beam_compliance(double EI, double L, double a);
 
