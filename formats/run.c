@@ -21,6 +21,7 @@ const struct run_channel_info run_channels[RUN_CHANNELS] = {
     [RUN_T] = {"wheel.T", "N", RUN_WHEELS, VXF_F64, PER_WHEEL, "longitudinal force of the wheel on the rail"},
     [RUN_CHECK] = {"wheel.check", "N", RUN_WHEELS, VXF_F64, PER_WHEEL, "of Y, what the back of the flange puts on the check rail"},
     [RUN_MX] = {"wheel.Mx", "N.m", RUN_WHEELS, VXF_F64, PER_WHEEL, "moment of Q and Y about the track axis at rail level"},
+    [RUN_RAIL_Y] = {"wheel.rail_y", "m", RUN_WHEELS, VXF_F64, PER_WHEEL, "displacement of the rail under the wheel to the right"},
     [RUN_RAIL_Z] = {"wheel.rail_z", "m", RUN_WHEELS, VXF_F64, PER_WHEEL, "deflection of the rail under the wheel"},
     [RUN_N] = {"contact.N", "N", RUN_WHEELS, VXF_F64, PER_CONTACT, "normal force; 0 where there is no contact"},
     [RUN_CONTACT_Y] = {"contact.rail_y", "m", RUN_WHEELS, VXF_F64, PER_CONTACT, "lateral position in the rail's profile axes"},

@@ -34,6 +34,8 @@ struct trk {
     const double *pad_k, *pad_c;       /* N/m, N s/m [2][sleepers] */
     const double *ballast_k, *ballast_c; /* N/m, N s/m [3][sleepers] left, middle, right */
     const double *ballast_y;           /* m [3][sleepers] from the sleeper's centre */
+    const double *lateral_m;           /* kg [1] of each rail moving sideways with a wheel */
+    const double *lateral_k, *lateral_c; /* N/m, N s/m [1] between it and the ground; k = 0: rails that do not yield sideways */
     const int64_t *check_rail;         /* [1] side of the check rail, TRK_LEFT or TRK_RIGHT */
     const double *check_k, *check_c;   /* N/m, N s/m [1] lateral, against the ground */
     const double *check_x;             /* m [checks] stations, increasing; there is no check rail beyond the ends */

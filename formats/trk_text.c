@@ -14,6 +14,14 @@ static const char *const BEAMS[] = {"euler", NULL};
 static const char *const SIDES[] = {"left", "right", NULL};
 static const char *const RAILS[] = {"left", "right", "both", NULL};
 
+static const struct yaml_field LATERAL_FIELDS[] = {
+    {"mass", YAML_NUM, AT(trk_text_lateral, mass), YAML_POSITIVE, 1e6, "kg", NULL, "of the rail that moves with a wheel", NULL, NULL},
+    {"stiffness", YAML_NUM, AT(trk_text_lateral, stiffness), YAML_POSITIVE, 1e12, "N/m", NULL, "between it and the ground", NULL, NULL},
+    {"damping", YAML_NUM, AT(trk_text_lateral, damping), 0, 1e9, "N s/m", "0", "likewise", NULL, NULL},
+    {0}};
+
+static const struct yaml_schema LATERAL = {"lateral", sizeof(struct trk_text_lateral), LATERAL_FIELDS};
+
 static const struct yaml_field RAIL_FIELDS[] = {
     {"bending_stiffness", YAML_TABLE, AT(trk_text_rail, bending_stiffness), YAML_POSITIVE, 1e12, "N m2", NULL,
      "vertical bending stiffness EI of each rail; within an element the mean flexibility counts", NULL, NULL},
@@ -24,6 +32,8 @@ static const struct yaml_field RAIL_FIELDS[] = {
     {"beam", YAML_CHOICE, AT(trk_text_rail, beam), 0, 0, "", "euler", "beam theory", NULL, BEAMS},
     {"elements_per_bay", YAML_INT, AT(trk_text_rail, elements_per_bay), 1, 20, "", "1", "beam elements between sleepers", NULL,
      NULL},
+    {"lateral", YAML_MAP, AT(trk_text_rail, lateral), 0, 0, "", YAML_ABSENT,
+     "each rail yields sideways under each wheel by itself; absent: not at all", &LATERAL, NULL},
     {0}};
 
 static const struct yaml_field SLEEPER_FIELDS[] = {

@@ -8,12 +8,15 @@
 
 enum { TRK_TEXT_LEFT, TRK_TEXT_RIGHT, TRK_TEXT_BOTH };   /* zone.rail */
 
+struct trk_text_lateral { double mass, stiffness, damping; };   /* kg, N/m, N s/m; all 0 where not given */
+
 struct trk_text_rail {
     struct yaml_table bending_stiffness;  /* N m2 */
     double mass;                          /* kg/m */
     double pitch_inertia;                 /* kg m2 per node */
     int mass_model, beam;                 /* one of each so far: lumped, euler */
     int64_t elements_per_bay;
+    struct trk_text_lateral lateral;
 };
 
 struct trk_text_sleeper {

@@ -78,6 +78,16 @@ static const char *check_step(struct passage *p)
     return NULL;
 }
 
+static int sideways_new(struct sideways *s, size_t wheels)
+{
+    s->y = calloc(3 * wheels, sizeof *s->y);
+    if (!s->y)
+        return 0;
+    s->v = s->y + wheels;
+    s->a = s->v + wheels;
+    return 1;
+}
+
 const char *passage_new(struct passage *p, const struct passage_options *o, const struct trk *track, const struct veh *vehicle,
                         const struct ctab *left, const struct ctab *right)
 {
@@ -88,7 +98,7 @@ const char *passage_new(struct passage *p, const struct passage_options *o, cons
     p->steps = (int64_t)ceil((o->end - o->start) / (o->speed * o->step) - 1e-9);
     p->memory = calloc(wheels, sizeof *p->memory);
     p->wheel = calloc(wheels, sizeof *p->wheel);
-    if (!p->memory || !p->wheel)
+    if (!p->memory || !p->wheel || !sideways_new(&p->sideways, wheels))
         why = REASON_MEMORY;
     else if (!(why = check_ends(o, track, vehicle)) && !(why = check_tables(vehicle, left, right)) &&
              !(why = alignment_new(&p->alignment, track->curves, track->curve_x, track->curvature)) &&
@@ -106,6 +116,7 @@ void passage_free(struct passage *p)
     train_free(&p->train);
     free(p->memory);
     free(p->wheel);
+    free(p->sideways.y);
     memset(p, 0, sizeof *p);
 }
 
@@ -139,6 +150,8 @@ static void fill_input(const struct passage *p, int64_t i, int side, const struc
     in->rail_v = lumped_sample(&p->rails, side, place, place->shape, p->rails.v);
     in->rail_slope = lumped_sample(&p->rails, side, place, place->slope, p->rails.u);
     in->compliance = place->compliance;
+    in->rail_y = p->sideways.y[2 * i + side];
+    in->rail_vy = p->sideways.v[2 * i + side];
     sum_dips(&p->o, in->s, &in->dip, &in->dip_slope);
 }
 
@@ -147,6 +160,32 @@ void passage_wheel_input(const struct passage *p, int64_t i, int side, struct wh
     struct lumped_place place = lumped_find(&p->rails, side, wheel_station(p, i));
 
     fill_input(p, i, side, &place, in);
+}
+
+/* m y'' = Y - k y - c y', Y without what goes into the check rail; nothing where the rails do not yield.  Creep damps a rail
+ * mass within a step, so the acceleration is that of the linear-implicit Euler scheme,
+ *   (m + h (c + D) + h^2 k) y'' = Y(y, y') - k y - c y',  D = -dY/dy' of small creepages,
+ * of first order, which matters to nothing slower than a few steps. */
+static void accelerate_sideways(struct passage *p, int64_t k)
+{
+    const struct trk *t = p->track;
+    const struct wheel_output *w = &p->wheel[k];
+    struct sideways *s = &p->sideways;
+    const double h = p->o.step, stiffness = *t->lateral_k, damping = *t->lateral_c;
+
+    if (stiffness > 0)
+        s->a[k] = (w->Y - w->check - stiffness * s->y[k] - damping * s->v[k]) /
+                  (*t->lateral_m + h * (damping + w->creep_damping) + h * h * stiffness);
+}
+
+static void move_sideways(struct passage *p)
+{
+    struct sideways *s = &p->sideways;
+
+    for (int64_t k = 0; k < 2 * p->vehicle->wheelsets; k++) {
+        s->v[k] += p->o.step * s->a[k];
+        s->y[k] += p->o.step * s->v[k];
+    }
 }
 
 static const char *wheel_forces(struct passage *p)
@@ -162,6 +201,7 @@ static const char *wheel_forces(struct passage *p)
                           in.s, why);
         check_rail_add(p->track, side, &in, &p->wheel[k]);
         lumped_load(&p->rails, side, &place, p->wheel[k].Q);
+        accelerate_sideways(p, k);
     }
     return NULL;
 }
@@ -209,6 +249,7 @@ const char *passage_step(struct passage *p)
 
     predict(LUMPED_PARTS * l->stride, p->o.step, l->u, l->v, l->a, l->before);
     predict(t->dofs, p->o.step, t->q, t->v, t->a, t->before);
+    move_sideways(p);
     p->n++;
     p->time = (double)p->n * p->o.step;
     p->station = p->o.start + p->o.speed * p->time;

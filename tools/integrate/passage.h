@@ -32,6 +32,9 @@ struct passage {
     struct train train;
     struct wheel_memory *memory;    /* [wheelsets][2] */
     struct wheel_output *wheel;     /* [wheelsets][2] */
+    struct sideways {               /* [wheelsets][2] of the rail under each wheel, to the right */
+        double *y, *v, *a;          /* m, m/s, m/s2 */
+    } sideways;
     double limit;                   /* s, of a stable step */
     int64_t n, steps;               /* done, and in all */
     double time, station;           /* s, m of the front wheelset */

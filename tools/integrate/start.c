@@ -74,6 +74,7 @@ static const char *seek_height(struct rest *r, int64_t k, double *z)
 {
     struct passage *p = r->p;
     struct wheel_input in;
+    struct wheel_output out = {0};
     double low, high, load = r->load[k];
 
     passage_wheel_input(p, k / 2, (int)(k % 2), &in);
@@ -83,7 +84,6 @@ static const char *seek_height(struct rest *r, int64_t k, double *z)
     high = in.rail_z + 0.02;
     for (int i = 0; i < HEIGHT_MOST; i++) {
         struct wheel_memory memory = {.local = in.compliance * load};
-        struct wheel_output out;
         const char *why;
         in.z = 0.5 * (low + high);
         for (int j = 0; j < 3; j++) /* the creep force enters a step late */
@@ -95,6 +95,8 @@ static const char *seek_height(struct rest *r, int64_t k, double *z)
         *(out.Q < load ? &low : &high) = in.z;
     }
     *z = in.z;
+    if (*p->track->lateral_k > 0)
+        p->sideways.y[k] = out.Y / *p->track->lateral_k; /* the next round has it */
     return NULL;
 }
 

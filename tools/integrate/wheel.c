@@ -5,6 +5,7 @@
 #include "tools/integrate/wheel.h"
 #include "formats/reason.h"
 #include "tools/contact/lookup.h"
+#include "tools/creep/kalker.h"
 
 #include <math.h>
 #include <string.h>
@@ -24,7 +25,7 @@ struct approach {
 static const char *approach_find(struct approach *a, const struct wheel_input *in)
 {
     double b = in->table->wheel_position;
-    double u = in->y - in->roll * in->radius, vu = in->vy - in->vroll * in->radius;
+    double u = in->y - in->roll * in->radius - in->rail_y, vu = in->vy - in->vroll * in->radius - in->rail_vy;
 
     a->n = contact_lookup(in->table, in->s, in->yaw, u, in->roll, a->c);
     if (a->n < 0)
@@ -86,17 +87,27 @@ static double solve_local(const struct wheel_law *law, const struct wheel_input 
 }
 
 /* Creepages of wheel against rail at a point r from the wheelset's centre, over v.  The wheel's material moves with
- * omega x r, omega = (roll' - spin yaw, spin, yaw' + spin roll); the rail comes along x at v(1 - curvature y). */
-static void creepages(const struct wheel_input *in, const double r[3], double track_y, double angle, double creep[3])
+ * omega x r, omega = (roll' - spin yaw, spin, yaw' + spin roll); the rail comes along x at v(1 - curvature y).  Where the wheel's path climbs by
+ * `slope`, contact lies r slope behind the axle's plumb line and the wheel's material there moves v slope less downwards. */
+static void creepages(const struct wheel_input *in, const double r[3], double track_y, double angle, double slope, double creep[3])
 {
     double wx = in->vroll - in->spin * in->yaw, wy = in->spin, wz = in->vyaw + in->spin * in->roll;
     double sx = wy * r[2] - wz * r[1] + in->v * (1 - in->curvature * track_y);
-    double sy = in->vy + wz * r[0] - wx * r[2];
-    double sz = in->vz + wx * r[1] - wy * r[0] - in->rail_v;
+    double sy = in->vy + wz * r[0] - wx * r[2] - in->rail_vy;
+    double sz = in->vz + wx * r[1] - wy * r[0] - in->v * slope - in->rail_v;
 
     creep[0] = sx / in->v;
     creep[1] = (sy * cos(angle) + sz * sin(angle)) / in->v;
     creep[2] = ((wz + in->curvature * in->v) * cos(angle) - wy * sin(angle)) / in->v;
+}
+
+/* G a b C22 cos^2 g / v: how lateral creep of the linear theory resists the rail's moving sideways. */
+static double creep_damping(const struct ctab *t, double a, double b, double cosg, double v)
+{
+    double C[KALKER_COEFFICIENTS];
+
+    kalker(a / b, t->poisson, C);
+    return t->shear_modulus * a * b * C[KALKER_C22] * cosg * cosg / v;
 }
 
 /* What contact k adds to the wheel's forces. */
@@ -106,12 +117,13 @@ static void add_contact(const struct wheel_law *law, const struct wheel_input *i
     const struct ctab *t = in->table;
     const double *row = a->c[k].row;
     double N = a->N[k], w = a->c[k].weight, root = cbrt(N), g = row[CTAB_ANGLE], cosg = cos(g), sing = sin(g);
-    double y = t->rail_position + row[CTAB_RAIL_Y], z = rail_z + row[CTAB_RAIL_Z];
+    double y = t->rail_position + in->rail_y + row[CTAB_RAIL_Y], z = rail_z + row[CTAB_RAIL_Z];
+    double semi_a = row[CTAB_HERTZ_A] * root, semi_b = row[CTAB_HERTZ_B] * root;
     double r[3] = {row[CTAB_X], y - in->y, z - in->z + in->radius}, creep[3], T[3], F[3], M[3];
 
-    creepages(in, r, y, g, creep);
-    fastsim(&law->grid, row[CTAB_HERTZ_A] * root, row[CTAB_HERTZ_B] * root, N, law->friction, t->shear_modulus, t->poisson,
-            creep[0], creep[1], creep[2], T);
+    creepages(in, r, y, g, a->c[k].height_s + in->rail_slope + in->dip_slope, creep);
+    fastsim(&law->grid, semi_a, semi_b, N, law->friction, t->shear_modulus, t->poisson, creep[0], creep[1], creep[2], T);
+    out->creep_damping += w * creep_damping(t, semi_a, semi_b, cosg, in->v);
     F[0] = w * T[0];                             /* on the rail: N n + Tx x + Ty t, spin moment Mz n */
     F[1] = w * (-N * sing + T[1] * cosg);
     F[2] = w * (N * cosg + T[1] * sing);

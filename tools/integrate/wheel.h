@@ -30,6 +30,7 @@ struct wheel_input {
     double vy, vz, vroll, vyaw;  /* their rates */
     double spin;                 /* rad/s about the axle, about -v/r0 */
     double radius;               /* m, r0 */
+    double rail_y, rail_vy;      /* m, m/s of the rail to the right, and its rate */
     double rail_z;               /* m deflection of the rail, from its nodes */
     double rail_v;               /* m/s velocity of the rail's material */
     double rail_slope;           /* 1 dw/dx */
@@ -57,6 +58,7 @@ struct wheel_output {
     double check;                /* N of the flange's back on the check rail, part of Y: set by check_rail_add */
     double force[3], moment[3];  /* N, N m on the wheelset: x y z, about x, about the axle, about z */
     double rail_z;               /* m deflection of the rail under the wheel */
+    double creep_damping;        /* N s/m, -dY/d(rail's velocity) of small creepages: its largest value */
     int patches;                 /* with N > 0, the most loaded first */
     struct wheel_patch patch[RUN_CONTACTS];
 };

@@ -156,6 +156,21 @@ static const char *lay_pads(struct trk *t, const struct trk_text *in)
     return NULL;
 }
 
+static const char *lay_lateral(struct trk *t, const struct trk_text *in)
+{
+    double *m = numbers(t, 1), *k = numbers(t, 1), *c = numbers(t, 1);
+
+    if (!m || !k || !c)
+        return REASON_MEMORY;
+    *m = in->rail.lateral.mass;
+    *k = in->rail.lateral.stiffness;
+    *c = in->rail.lateral.damping;
+    t->lateral_m = m;
+    t->lateral_k = k;
+    t->lateral_c = c;
+    return NULL;
+}
+
 /* Without a check rail its scalars stand all the same: side left, no stiffness, no knots. */
 static const char *lay_check_rail(struct trk *t, const struct trk_text *in)
 {
@@ -234,7 +249,7 @@ const char *layout_track(struct trk *t, const struct trk_text *in)
     if (t->sleepers < 2 || fabs(bays - (double)t->sleepers) > WHOLE)
         return reason("length %g m is not a whole number, two or more, of sleeper spacings of %g m", in->length, in->sleeper.spacing);
     if ((why = lay_rails(t, in)) || (why = lay_sleepers(t, in)) || (why = lay_ballast(t, in)) || (why = lay_pads(t, in)) ||
-        (why = lay_check_rail(t, in)) || (why = lay_curve(t, in)))
+        (why = lay_lateral(t, in)) || (why = lay_check_rail(t, in)) || (why = lay_curve(t, in)))
         return why;
     return number_dofs(t);
 }
