@@ -186,7 +186,7 @@ static void groups(void)
         kept += f.record.buffer[c] != NULL;
         wrong += (f.record.buffer[c] != NULL) != want;
     }
-    ok(wrong == 0 && kept == 19, "%d series: time, station and those of wheels", kept);
+    ok(wrong == 0 && kept == 20, "%d series: time, station and those of wheels", kept);
     record_step(&f.record, &f.passage);
     double *Q = f.record.buffer[RUN_Q];
     near(Q[0], f.passage.wheel[0].Q, 0, "the first sample is the start");

@@ -107,6 +107,7 @@ static void refusals(struct trk *t)
     TAMPER(rail_mass, 2 * n, 3, -1, "rail.mass", "a negative mass");
     TAMPER(sleeper_mass, s, 3, 0, "sleeper.mass", "a sleeper without mass");
     TAMPER(pad_k, 2 * s, 99, -1, "pad.k", "a negative stiffness");
+    TAMPER(lateral_k, 1, 0, -1, "lateral.k", "rails that pull aside");
     TAMPER(check_k, 1, 0, -1, "check.k", "a check rail that pulls");
     TAMPER_INTEGER(check_rail, 1, 0, 2, "check.rail", "a third side");
     TAMPER(sleeper_x, s, 4, t->sleeper_x[4] + 0.01, "sleeper.x", "a sleeper not below its node");
