@@ -37,4 +37,12 @@ for ref in $(sed -n 's/^\.Xr \([a-z0-9-]*\) \([157]\).*/\1.\2/p' man/*.[157] | s
     [ -f "man/$ref" ]
     ok $? "the page $ref that others name is there"
 done
+for path in $(sed -n 's/.*](\([^)]*\)).*/\1/p' README.md); do
+    [ -f "$path" ]
+    ok $? "README's $path is there"
+done
+for path in $(grep -o '`\(man\|data\|tests\|tools\|formats\|pipelines\)/[^` ]*`' README.md | tr -d '`'); do
+    [ -e "$path" ]
+    ok $? "README's $path is there"
+done
 done_testing
