@@ -1,0 +1,106 @@
+#!/bin/bash
+# bench.sh FILE.tsv: CPU seconds, user and system, median of three, and memory, against the budget of each job and the limit that its
+# smallest possible work was measured to take.  "-": there is none.  Prints the same as a table with the ratio to the limit.
+#
+# The jobs are those of users: a passage of 120 m in the turnout, contact tables, a receptance; then every stage of the demo alone.
+set -e
+out=${1:?usage: bench.sh FILE.tsv}
+PATH=$PWD/build/bin:$PATH
+export OPENBLAS_NUM_THREADS=1
+dir=$(mktemp -d)
+trap 'rm -rf "$dir"' EXIT
+
+# cpu COMMAND...: seconds of one run, user and system.
+cpu()
+{
+    local TIMEFORMAT='%3U %3S'
+    { time "$@" >/dev/null 2>"$dir/err"; } 2>"$dir/time" || { cat "$dir/err" >&2; exit 1; }
+    awk '{print $1 + $2}' "$dir/time"
+}
+
+# median COMMAND...
+median()
+{
+    for _ in 1 2 3; do
+        cpu "$@" || exit 1
+    done | sort -g | sed -n 2p
+}
+
+row()
+{
+    printf '%s\t%s\t%s\t%s\t%s\n' "$@" >>"$dir/tsv"
+}
+
+# job NAME BUDGET LIMIT COMMAND...: in seconds.
+job()
+{
+    local name=$1 budget=$2 limit=$3 seconds
+    shift 3
+    seconds=$(median "$@")
+    row "$name" "$seconds" s "$budget" "$limit"
+}
+
+# ---- what the jobs need ----
+
+turnout=data/turnouts/60E1-R760-1-15.yaml
+thirty='[{from: 0, to: 12, step: 0.75}, {from: 46, to: 48.4, step: 0.2}]'
+for side in l r; do
+    vxprofile --side $side -o "$dir/w$side.prof" data/profiles/S1002.yaml
+    vxprofile --side $side -o "$dir/t$side.prof" $turnout
+    vxcontact --wheel "$dir/w$side.prof" --rail "$dir/t$side.prof" --yaw exact -o "$dir/t$side.ctab"
+done
+# The rail that carries switch and nose: the left one diverging, the right one on the through route.
+vxprofile --side l --set turnout.stations="$thirty" -o "$dir/thirty-l.prof" $turnout
+vxprofile --side r --set turnout.stations="$thirty" --set turnout.route=through -o "$dir/thirty-r.prof" $turnout
+vxtrack -o "$dir/t.trk" data/tracks/60E1-R760-1-15-diverging.yaml
+vxtrack --set from=-60 --set length=120 -o "$dir/straight.trk" data/tracks/thesis-straight.yaml
+vxvehicle -o "$dir/coach.veh" data/vehicles/manchester-passenger.yaml
+
+passage()
+{
+    vxrun --track "$dir/t.trk" --vehicle "$dir/coach.veh" --contact-left "$dir/tl.ctab" --contact-right "$dir/tr.ctab" "$@" \
+        data/cases/diverging-80.yaml
+}
+
+both_tables()
+{
+    for side in l r; do
+        vxcontact --wheel "$dir/w$side.prof" --rail "$dir/thirty-$side.prof" --yaw exact -o "$dir/thirty-$side.ctab"
+    done
+}
+
+starts()
+{
+    for _ in 1 2 3 4 5 6 7 8 9 10; do
+        passage --set end=-59.999 -o "$dir/start.run"
+    done
+}
+
+# ---- the budgets ----
+
+printf 'name\tvalue\tunit\tbudget\tlimit\n' >"$dir/tsv"
+job "passage, 120 m, 80 km/h, FASTSIM 10x10" 0.6 0.43 passage -o "$dir/d.run"
+row "start-up" "$(median starts | awk '{print $1/10}')" s 0.03 -
+job "contact table, 30 sections, 2 sides, 21 yaws, 0.1 mm" 3 - both_tables
+job "receptance, 120 m track, 1451 frequencies" 0.5 0.17 \
+    vxfreq --receptance --excite both --at sleeper --from 50 --to 1500 --step 1 "$dir/straight.trk"
+passage -v -o "$dir/d.run" 2>"$dir/account"
+row "memory of one run" "$(sed -n 's/.*peak memory \([0-9]*\) MB.*/\1/p' "$dir/account")" MB 100 -
+
+# ---- the stages of the demo, one command each ----
+
+job "stage vxprofile, left turnout" - - vxprofile --side l -o "$dir/tl.prof" $turnout
+job "stage vxcontact, left turnout" - - vxcontact --wheel "$dir/wl.prof" --rail "$dir/tl.prof" --yaw exact -o "$dir/tl.ctab"
+job "stage vxtrack" - - vxtrack -o "$dir/t.trk" data/tracks/60E1-R760-1-15-diverging.yaml
+job "stage vxvehicle" - - vxvehicle -o "$dir/coach.veh" data/vehicles/manchester-passenger.yaml
+job "stage vxrun" - - passage -o "$dir/d.run"
+job "stage vxpost, by zone" - - vxpost --table -o "$dir/zones.csv" "$dir/d.run"
+job "stage vxplot, vertical forces" - - vxplot --figure vertical -o "$dir/vertical.png" "$dir/d.run"
+
+mv "$dir/tsv" "$out"
+awk -F'\t' '
+    {
+        ratio = NR == 1 ? "over limit" : $5 == "-" ? "-" : sprintf("%.2f", $2/$5)
+        beyond = NR != 1 && $4 != "-" && $2 + 0 > $4 + 0 ? "  beyond its budget" : ""
+        printf "%-56s %8s %-5s %7s %7s %11s%s\n", $1, $2, $3, $4, $5, ratio, beyond
+    }' "$out"
