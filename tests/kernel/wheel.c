@@ -128,6 +128,14 @@ static void what_moves(void)
     in.z = 1e-4 - 0.75 * 0.004;
     in.vroll = 0;
     near(force(&law, &in, &memory).patch[0].rail_y, 0, 1e-15, "u is taken at rail level: y less roll r0");
+
+    in = over_plane(&t, 0.3, 1e-4);
+    in.y = 1e-3;
+    in.rail_y = 1e-3;
+    near(force(&law, &in, &memory).patch[0].N, N * cos(0.3), 1e-6, "a rail that moves with its wheel is no nearer");
+    in.vy = in.rail_vy = 0.05;
+    near(force(&law, &in, &memory).patch[0].N, N * cos(0.3), 1e-6, "nor comes nearer");
+    near(force(&law, &in, &memory).Mx, 0.751 * force(&law, &in, &memory).Q, 1e-6, "but its moment is that of where it stands");
 }
 
 /* The compliance of the loaded element is a spring in series: d = compliance Q for whatever law. */
@@ -205,6 +213,14 @@ static void creepage(void)
     in = over_plane(&t, 0.3, 1e-4);
     in.vz = 0.02;
     near(force(&law, &in, &memory).patch[0].eta, 0.02 * sin(0.3) / v, 1e-15, "sinking slides down an inclined plane");
+    in.rail_slope = 0.02 / v;
+    near(force(&law, &in, &memory).patch[0].eta, 0, 1e-15, "but a wheel that follows a falling rail only rolls");
+    in = over_plane(&t, 0.3, 1e-4);
+    in.rail_v = 0.02;
+    near(force(&law, &in, &memory).patch[0].eta, -0.02 * sin(0.3) / v, 1e-15, "a sinking rail slides the other way");
+    in = over_plane(&t, 0.3, 1e-4);
+    in.rail_vy = 0.02;
+    near(force(&law, &in, &memory).patch[0].eta, -0.02 * cos(0.3) / v, 1e-15, "and one that moves to the right is left behind");
 }
 
 /* Force and moment about the centre are those of T, N and spin moment at the contact: what r x F leaves points along the normal. */

@@ -87,7 +87,7 @@ static double solve_local(const struct wheel_law *law, const struct wheel_input 
 }
 
 /* Creepages of wheel against rail at a point r from the wheelset's centre, over v.  The wheel's material moves with
- * omega x r, omega = (roll' - spin yaw, spin, yaw' + spin roll); the rail comes along x at v(1 - curvature y).  Where the wheel's path climbs by
+ * omega x r, omega = (roll' - spin yaw, spin, yaw' + spin roll); the rail comes along x at v(1 - curvature y).  Where the wheel's path falls by
  * `slope`, contact lies r slope behind the axle's plumb line and the wheel's material there moves v slope less downwards. */
 static void creepages(const struct wheel_input *in, const double r[3], double track_y, double angle, double slope, double creep[3])
 {
