@@ -10,8 +10,8 @@ CC ?= cc
 # make V=1 shows whole commands.
 Q = $(if $(V),,@)
 
-# Debian packages: what a build needs, what the tests need beside it.
-PACKAGES  = gcc libc6-dev make pkg-config libyaml-dev libxxhash-dev libsuitesparse-dev libarpack2-dev libopenblas-dev \
+# Debian packages: what a build needs, what the tests need beside it.  OpenBLAS in its serial build: threads would only spin at start-up.
+PACKAGES  = gcc libc6-dev make pkg-config libyaml-dev libxxhash-dev libsuitesparse-dev libarpack2-dev libopenblas-serial-dev \
             liblapacke-dev libhdf5-dev libosmesa6-dev libfreetype-dev libfontconfig-dev libpng-dev fonts-dejavu-core
 TESTPACKAGES = perl mandoc
 
