@@ -2,6 +2,7 @@
 #include "formats/reason.h"
 #include "formats/vxf_disk.h"
 
+#include <errno.h>
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
@@ -43,7 +44,7 @@ static const char *write_block(struct vxf_stream *s, const char *magic, const st
     s->bytes += sizeof b + b.bytes;
     s->blocks++;
     if (!why && fflush(s->file) != 0)
-        why = "write error";
+        why = reason("write error: %s", strerror(errno));
     return why;
 }
 
@@ -59,6 +60,6 @@ const char *vxf_stream_end(struct vxf_stream *s, const void *const *data)
 
     if (!why && s->file != stdout && fseek(s->file, offsetof(struct vxf_preamble, size), SEEK_SET) == 0 &&
         fwrite(&s->bytes, sizeof s->bytes, 1, s->file) != 1)
-        why = "write error";
+        why = reason("write error: %s", strerror(errno));
     return why;
 }

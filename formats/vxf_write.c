@@ -3,6 +3,7 @@
 #include "formats/vxf_disk.h"
 
 #include <ctype.h>
+#include <errno.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -163,7 +164,7 @@ void vxf_put_input(struct vxf_out *o, const struct vxf *input)
 
 const char *vxf_write_all(FILE *stream, const void *data, size_t n)
 {
-    return fwrite(data, 1, n, stream) == n ? NULL : "write error";
+    return fwrite(data, 1, n, stream) == n ? NULL : reason("write error: %s", strerror(errno));
 }
 
 static const char *write_padded(FILE *stream, const void *data, uint64_t n)

@@ -48,11 +48,11 @@ void yaml_print_schema(const struct yaml_schema *schema, FILE *out)
     print_fields(schema, "", out);
 }
 
-/* Optional keys are commented out; the first item of a list begins with a dash. */
+/* Keys absent by default are commented out; the first item of a list begins with a dash. */
 static void print_master(const struct yaml_schema *schema, int indent, int dash, int off, FILE *out)
 {
     for (const struct yaml_field *f = schema->field; f->key; f++) {
-        int hidden = off || (f->value && !*f->value);
+        int hidden = off || (f->value && (!*f->value || strcmp(f->value, "[]") == 0));
         fprintf(out, "%*s%s%s%s:", indent - (dash ? 2 : 0), "", hidden ? "# " : "", dash ? "- " : "", f->key);
         if (f->type != YAML_MAP && f->type != YAML_LIST)
             fprintf(out, " %s", f->value && *f->value ? f->value : "");

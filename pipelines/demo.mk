@@ -9,7 +9,7 @@ DEMO = $(addprefix $D/,sections.png switch-contact.png crossing-contact.png cont
        vertical.png lateral.png pads.png ballast.png max-pads.png max-ballast.png \
        zones.csv sleepers.csv wheels.csv balance.csv)
 
-demo: $(DEMO)               ## the main job: a train through a turnout, into out/demo
+demo: $(DEMO) $(PROGRAMS)               ## the main job: a train through a turnout, into out/demo
 
 # Profiles: the wheel, the turnout's sections, and plain rail inclined 1:40 to look at contact on its own.
 $D/wheel-l.prof $D/wheel-r.prof: data/profiles/S1002.yaml
@@ -42,7 +42,7 @@ $D/sections.png: $D/turnout-l.prof
 $D/sections.png: PLOT = --figure sections
 $D/switch-contact.png $D/crossing-contact.png: $D/wheel-l.prof $D/turnout-l.prof $D/turnout-l.ctab
 $D/switch-contact.png: PLOT = --figure contact --station 6.5 --u -0.005 --yaw -0.002
-$D/crossing-contact.png: PLOT = --figure contact --station 47.2 --u -0.0035 --yaw -0.001
+$D/crossing-contact.png: PLOT = --figure contact --station 47.2 --u -0.0035 --yaw -0.002
 $D/contact-jump.png: $D/wheel-r.prof $D/rail40-r.prof $D/rail40-r.ctab
 $D/contact-jump.png: PLOT = --figure pairs
 $D/rolling-radius.png: $D/rail40-l.ctab $D/rail40-r.ctab
@@ -55,9 +55,10 @@ $D/vertical.png: PLOT = --figure vertical $(PANELS)
 $D/lateral.png: PLOT = --figure lateral $(PANELS)
 $D/pads.png: PLOT = --figure pads --from -5 --to 55 --sleeper 2 --sleeper 40 --sleeper 80
 $D/ballast.png: PLOT = --figure ballast --from -5 --to 55 --sleeper 2 --sleeper 40 --sleeper 80
-$D/max-pads.png: PLOT = --figure max-pads
-$D/max-ballast.png: PLOT = --figure max-ballast
-PANELS = --mark '0=switch' --mark '47=crossing'
+$D/max-pads.png: PLOT = --figure max-pads --from -20 $(SEATS)
+$D/max-ballast.png: PLOT = --figure max-ballast --from -20 $(SEATS)
+PANELS = --mark '0=front of switch' --mark '47=nose'
+SEATS = --mark '1=switch' --mark '79=nose'
 
 # The pictures of the README are copies: made anew by hand when they should change.
 pictures: $D/vertical.png $D/crossing-contact.png $D/receptance.png ## renew the pictures of the README

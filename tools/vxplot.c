@@ -84,6 +84,8 @@ static int is_text(const char *path)
 static void open_operands(struct operands *o)
 {
     for (int k = 0; k < o->n; k++) {
+        const char *slash = strrchr(o->path[k], '/');
+        o->in[k].name = slash ? slash + 1 : o->path[k];
         o->in[k].label = k < opt.label.n ? opt.label.item[k] : NULL;
         if (is_text(o->path[k])) {
             cli_check(o->path[k], columns_read(&o->table[k], o->path[k]));

@@ -50,8 +50,8 @@ static void print_zones(const struct run *r, const char *name, FILE *f)
     if (!zone)
         cli_die(REASON_MEMORY);
     cli_check(name, zones_find(r, zone));
-    fputs("zone,name,seats,Q N,at sleeper,Y N,at sleeper,pad force N,at sleeper,pad compression m,at sleeper,"
-          "ballast force N,at sleeper\n", f);
+    fputs("zone,name,seats,Q (N),Q at sleeper,Y (N),Y at sleeper,pad force (N),pad force at sleeper,pad compression (m),"
+          "pad compression at sleeper,ballast force (N),ballast force at sleeper\n", f);
     for (int64_t i = 0; i <= r->zones; i++) {
         fprintf(f, "%lld,%s,%lld", (long long)i, zone[i].name, (long long)zone[i].sleepers);
         print_extreme(f, &zone[i].Q);
@@ -68,8 +68,8 @@ static void print_sleepers(const struct run *r, FILE *f)
 {
     int64_t n = r->sleepers;
 
-    fputs("sleeper,station m,Q left N,Q right N,pad force left N,pad force right N,pad compression left m,"
-          "pad compression right m,ballast left N,ballast middle N,ballast right N,acceleration m/s2\n", f);
+    fputs("sleeper,station (m),Q left (N),Q right (N),pad force left (N),pad force right (N),pad compression left (m),"
+          "pad compression right (m),ballast left (N),ballast middle (N),ballast right (N),acceleration (m/s2)\n", f);
     for (int64_t i = 0; i < n; i++)
         fprintf(f, "%lld,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", (long long)r->sleeper_number[i],
                 r->sleeper_x[i], r->extreme[RUN_SLEEPER_MAX_Q][i], r->extreme[RUN_SLEEPER_MAX_Q][n + i],
@@ -81,7 +81,7 @@ static void print_sleepers(const struct run *r, FILE *f)
 
 static void print_wheels(const struct run *r, FILE *f)
 {
-    fputs("wheelset,side,static Q N,largest Q N,at station m,smallest Q N,largest Y N\n", f);
+    fputs("wheelset,side,static Q (N),largest Q (N),at station (m),smallest Q (N),largest Y (N)\n", f);
     for (int64_t k = 0; k < 2 * r->wheelsets; k++)
         fprintf(f, "%lld,%c,%.9g,%.9g,%.9g,%.9g,%.9g\n", (long long)(k / 2 + 1), k % 2 ? 'r' : 'l', r->static_q[k],
                 r->extreme[RUN_MAX_Q][k], r->extreme[RUN_AT_MAX_Q][k], r->extreme[RUN_MIN_Q][k],

@@ -112,6 +112,8 @@ static void read_inputs(struct inputs *in, const char *path)
 
     if ((why = yaml_read(path, &case_text_schema, opt.set.item, opt.set.n, &in->text, &in->hash)))
         cli_die("%s", why); /* begins with its place */
+    if (strlen(in->text.name) >= sizeof ((struct run *)NULL)->name)
+        cli_die("%s: name: longer than %zu letters", path, sizeof ((struct run *)NULL)->name - 1);
     open_input(&in->file[0], opt.track, "--track", path, c->track, "trk");
     open_input(&in->file[1], opt.vehicle, "--vehicle", path, c->vehicle, "veh");
     open_input(&in->file[2], opt.left, "--contact-left", path, c->contact_left, "ctab");

@@ -29,7 +29,7 @@ rows() { wc -l <"$1" | tr -d ' '; }
 
 vxpost "$run" >"$dir/zones.csv" && vxpost --table "$run" | cmp -s - "$dir/zones.csv"
 ok $? "--table is the default"
-like "$(head -n 1 "$dir/zones.csv")" '^zone,name,seats,Q N,at sleeper,Y N,' "a header with units"
+like "$(head -n 1 "$dir/zones.csv")" '^zone,name,seats,Q (N),Q at sleeper,Y (N),' "a header with units"
 even "$dir/zones.csv"
 ok $? "even rows"
 is "$(rows "$dir/zones.csv")" 3 "a row for what is in no zone, and one for the zone"

@@ -107,7 +107,7 @@ refuses 1 "in or behind a curve" "a start in a curve" --track "$dir/curve.trk" "
 
 fails 1 "a full disk" vxrun -o /dev/full "$plain"
 vxrun "$plain" >/dev/full 2>"$dir/err"
-is "$? $(cat "$dir/err")" "1 vxrun: standard output: write error" "a full standard output"
+is "$? $(cat "$dir/err")" "1 vxrun: standard output: write error: No space left on device" "a full standard output"
 fails 1 "a folder that is not there" vxrun -o "$dir/no/x.run" "$plain"
 
 # A wheel that leaves its table on the way: the .part keeps what was done, for those who want to see why.

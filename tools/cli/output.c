@@ -147,9 +147,6 @@ void cli_write(struct vxf_out *o, const char *path)
 
     vxf_put_key(o, "CMD", "%s", cli_command());
     cli_create(&out, path, 1);
-    errno = 0;
-    const char *why = vxf_write(o, out.file);
-    if (why)
-        cli_die("%s: %s%s%s", path ? path : "standard output", why, errno ? ": " : "", errno ? strerror(errno) : "");
+    cli_check(path ? path : "standard output", vxf_write(o, out.file));
     cli_close(&out);
 }

@@ -15,6 +15,8 @@
 #define BRANCH 4e-3           /* m, as search.h keeps minima apart */
 #define STATION_BRANCH 8e-3   /* m; the edge of a wing rail moves 6 mm between sections 0.1 m apart */
 
+#define LEAST_WEIGHT 1e-12    /* what rounding leaves of a corner on the query's own node */
+
 enum { CORNERS = 8 };         /* bit 0 u, bit 1 yaw, bit 2 station */
 
 struct cell {
@@ -193,7 +195,7 @@ int contact_lookup(const struct ctab *t, double s, double yaw, double u, double 
     for (int j = 0; j < branches; j++) {
         struct contact one;
         blend(&cell, &branch[j], &one);
-        if (!(one.weight > 0))
+        if (!(one.weight > LEAST_WEIGHT))
             continue;
         turn(&one, yaw, roll);
         int i = n++;

@@ -110,7 +110,7 @@ static const char *make_runs(runs_add *add, struct chart *c, int n, const struct
         struct run r;
         why = run_read(&r, in[k].file);
         if (!why)
-            why = add(c, &r, in[k].label || n == 1 ? in[k].label : chart_words(c, "%s", r.name), &o->runs);
+            why = add(c, &r, in[k].label || n == 1 ? in[k].label : in[k].name, &o->runs);
     }
     return why;
 }

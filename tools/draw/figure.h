@@ -11,7 +11,8 @@
 struct figure_input {
     struct vxf *file;                /* or NULL: */
     const struct columns *table;     /* a table as text */
-    const char *label;               /* in the legend; NULL: what the file says */
+    const char *name;                /* of the operand, without its folder */
+    const char *label;               /* in the legend; NULL: what the file says, its name where several runs are drawn */
 };
 
 struct figure_options {

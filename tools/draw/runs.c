@@ -1,5 +1,7 @@
 #include "tools/draw/runs.h"
 
+#define KMH 3.6 /* km/h in a m/s */
+
 static const char *const side_name[] = {"left", "right"};
 static const char *const place_name[] = {"left", "middle", "right"};
 static const enum canvas_dash side_dash[] = {CANVAS_SOLID, CANVAS_DASHED};
@@ -35,7 +37,8 @@ static double *stations(struct chart *c, const struct run *r, double behind)
 static void set_title(struct chart *c, const struct run *r, const char *label, const char *what)
 {
     if (c->panels == 0)
-        c->title = label ? what : chart_words(c, "%s, %s", what, r->name);
+        c->title = label ? what : chart_words(c, "%s, %s at %.4g km/h%s", what, r->name, r->speed * KMH,
+                                              r->complete ? "" : " (not complete)");
 }
 
 /* One force of a wheelset, a panel for each side. */

@@ -164,7 +164,7 @@ void passage_wheel_input(const struct passage *p, int64_t i, int side, struct wh
 
 /* m y'' = Y - k y - c y', Y without what goes into the check rail; nothing where the rails do not yield.  Creep damps a rail
  * mass within a step, so the acceleration is that of the linear-implicit Euler scheme,
- *   (m + h (c + D) + h^2 k) y'' = Y(y, y') - k y - c y',  D = -dY/dy' of small creepages,
+ *   (m + h (c + D) + h^2 k) y'' = Y(y, y') - k (y + h y') - c y',  D = -dY/dy' of small creepages,
  * of first order, which matters to nothing slower than a few steps. */
 static void accelerate_sideways(struct passage *p, int64_t k)
 {
@@ -174,7 +174,7 @@ static void accelerate_sideways(struct passage *p, int64_t k)
     const double h = p->o.step, stiffness = *t->lateral_k, damping = *t->lateral_c;
 
     if (stiffness > 0)
-        s->a[k] = (w->Y - w->check - stiffness * s->y[k] - damping * s->v[k]) /
+        s->a[k] = (w->Y - w->check - stiffness * (s->y[k] + h * s->v[k]) - damping * s->v[k]) /
                   (*t->lateral_m + h * (damping + w->creep_damping) + h * h * stiffness);
 }
 
