@@ -75,4 +75,18 @@ awk -F, -v rail="$rail" '
 sed -n 3p "$dir/ratios"
 between "$(sed -n 1p "$dir/ratios")" 0.99 1.01 "load moved to the left over that of statics"
 between "$(sed -n 2p "$dir/ratios")" 0.9999 1.0001 "sum of Y over m v^2/R to the left"
+
+# A model of the coach alone with exact positions and rotations in space, wheelsets where the run has them: the carbody stands 50.04 mm
+# outside the chord of its pivots, 9.5^2/2R inside its own frame, and rolls by 11.998 mrad; the first bogie by 3.892.
+awk -F, 'FNR == 1 {for (i = 1; i <= NF; i++) at[$i] = i; next}
+    $at["station"] > 400 {
+        n++
+        y += $at["body.q:1:2"]
+        roll += $at["body.q:1:4"]
+        bogie += $at["body.q:2:4"]
+    }
+    END {printf "%.3f\n%.3f\n%.3f\n", 1e3*(y/n - 9.5^2/(2*760)), 1e3*roll/n, 1e3*bogie/n}' "$dir/run.csv" >"$dir/sway"
+between "$(sed -n 1p "$dir/sway")" -50.54 -49.54 "carbody outside the chord of its pivots, mm"
+between "$(sed -n 2p "$dir/sway")" -12.12 -11.88 "roll of the carbody, mrad"
+between "$(sed -n 3p "$dir/sway")" -3.93 -3.85 "roll of the first bogie, mrad"
 done_testing
