@@ -2,9 +2,9 @@
 #include "formats/trk.h"
 
 #include <stddef.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "formats/room.h"
 #include "formats/trk_check.h"
 
 /* Sizes an array may have. */
@@ -139,26 +139,13 @@ const char *trk_put(const struct trk *t, struct vxf_out *o)
     return NULL;
 }
 
-/* The room after its head, which points to the room before it and keeps the alignment of malloc. */
-union head { union head *next; max_align_t align; };
-
 void *trk_room(struct trk *t, int64_t n, size_t size)
 {
-    if (n < 0 || (uint64_t)n > (SIZE_MAX - sizeof(union head)) / size)
-        return NULL;
-    union head *h = calloc(1, sizeof *h + (size_t)n * size);
-    if (!h)
-        return NULL;
-    h->next = t->store;
-    t->store = h;
-    return h + 1;
+    return room_take(&t->store, n, size);
 }
 
 void trk_free(struct trk *t)
 {
-    for (union head *h = t->store, *next; h; h = next) {
-        next = h->next;
-        free(h);
-    }
+    room_release(&t->store);
     memset(t, 0, sizeof *t);
 }

@@ -3,10 +3,10 @@
 #include "formats/veh.h"
 
 #include <stddef.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "formats/reason.h"
+#include "formats/room.h"
 
 /* Sizes an array may have. */
 enum size { ONE, TWO, AXES, DOFS, BODIES, COUPLINGS, FIRSTS, KNOTS, WHEELSETS, ROWS, LETTERS, SIZES };
@@ -243,26 +243,13 @@ const char *veh_put(const struct veh *v, struct vxf_out *o)
     return NULL;
 }
 
-/* The room after its head, which points to the room before it and keeps the alignment of malloc. */
-union head { union head *next; max_align_t align; };
-
 void *veh_room(struct veh *v, int64_t n, size_t size)
 {
-    if (n < 0 || (uint64_t)n > (SIZE_MAX - sizeof(union head)) / size)
-        return NULL;
-    union head *h = calloc(1, sizeof *h + (size_t)n * size);
-    if (!h)
-        return NULL;
-    h->next = v->store;
-    v->store = h;
-    return h + 1;
+    return room_take(&v->store, n, size);
 }
 
 void veh_free(struct veh *v)
 {
-    for (union head *h = v->store, *next; h; h = next) {
-        next = h->next;
-        free(h);
-    }
+    room_release(&v->store);
     memset(v, 0, sizeof *v);
 }

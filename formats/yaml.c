@@ -195,20 +195,6 @@ static const char *table(struct walk *w, const struct yaml_field *f, const struc
     return why;
 }
 
-double yaml_table_at(const struct yaml_table *t, double station, double number_)
-{
-    double x = t->by_number ? number_ : station;
-    int64_t i = 0;
-
-    if (x <= t->at[0] || t->n == 1)
-        return t->value[0];
-    if (x >= t->at[t->n - 1])
-        return t->value[t->n - 1];
-    while (x >= t->at[i + 1])
-        i++;
-    return t->value[i] + (t->value[i + 1] - t->value[i]) * (x - t->at[i]) / (t->at[i + 1] - t->at[i]);
-}
-
 static const char *items(struct walk *w, const struct yaml_field *f, const struct yaml_node *node, struct yaml_list *to)
 {
     const char *why = NULL;
