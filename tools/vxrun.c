@@ -88,55 +88,71 @@ static char *beside(const char *path, const char *name)
     return joined;
 }
 
-/* The option goes before the case. */
-static void open_input(struct vxf *f, const char *option, const char *spelled, const char *case_path, const char *named,
-                       const char *kind)
+/* The option goes before the case.  Returns the name, for messages. */
+static char *open_input(struct vxf *f, const char *option, const char *spelled, const char *case_path, const char *named,
+                        const char *kind)
 {
     char *path;
 
-    if (option) {
-        cli_open(f, option, kind);
-        return;
-    }
-    if (!named)
+    if (!option && !named)
         cli_misuse("the case names no .%s file, and %s is not given", kind, spelled);
-    path = beside(case_path, named);
+    path = option ? beside("", option) : beside(case_path, named);
     cli_open(f, path, kind);
-    free(path);
+    return path;
+}
+
+static void check_side(const char *path, const struct ctab *t, char side)
+{
+    if (t->side != side)
+        cli_die("%s: is of side %c, but %s wants side %c", path, t->side, side == 'l' ? "--contact-left" : "--contact-right", side);
+}
+
+/* A track has no name of its route; one without a curve is not that of a diverging route. */
+static void check_route(const char *path, const struct case_text *c, const struct trk *t)
+{
+    int curved = 0;
+
+    for (int64_t i = 0; i < t->curves; i++)
+        curved |= fabs(t->curvature[i]) > 0;
+    if (c->route == CASE_DIVERGING && !curved)
+        cli_die("%s: the route is diverging, but this track has no curve", path);
 }
 
 static void read_inputs(struct inputs *in, const char *path)
 {
     const struct case_text *c = &in->text;
     const char *why;
+    char *name[4];
 
     if ((why = yaml_read(path, &case_text_schema, opt.set.item, opt.set.n, &in->text, &in->hash)))
         cli_die("%s", why); /* begins with its place */
-    if (strlen(in->text.name) >= sizeof ((struct run *)NULL)->name)
+    if (strlen(c->name) >= sizeof ((struct run *)NULL)->name)
         cli_die("%s: name: longer than %zu letters", path, sizeof ((struct run *)NULL)->name - 1);
-    open_input(&in->file[0], opt.track, "--track", path, c->track, "trk");
-    open_input(&in->file[1], opt.vehicle, "--vehicle", path, c->vehicle, "veh");
-    open_input(&in->file[2], opt.left, "--contact-left", path, c->contact_left, "ctab");
-    open_input(&in->file[3], opt.right, "--contact-right", path, c->contact_right, "ctab");
-    cli_check("track", trk_read(&in->track, &in->file[0]));
-    cli_check("vehicle", veh_read(&in->vehicle, &in->file[1]));
-    cli_check("left contact table", ctab_read(&in->table[0], &in->file[2]));
-    cli_check("right contact table", ctab_read(&in->table[1], &in->file[3]));
+    name[0] = open_input(&in->file[0], opt.track, "--track", path, c->track, "trk");
+    name[1] = open_input(&in->file[1], opt.vehicle, "--vehicle", path, c->vehicle, "veh");
+    name[2] = open_input(&in->file[2], opt.left, "--contact-left", path, c->contact_left, "ctab");
+    name[3] = open_input(&in->file[3], opt.right, "--contact-right", path, c->contact_right, "ctab");
+    cli_check(name[0], trk_read(&in->track, &in->file[0]));
+    cli_check(name[1], veh_read(&in->vehicle, &in->file[1]));
+    cli_check(name[2], ctab_read(&in->table[0], &in->file[2]));
+    cli_check(name[3], ctab_read(&in->table[1], &in->file[3]));
+    check_side(name[2], &in->table[0], 'l');
+    check_side(name[3], &in->table[1], 'r');
+    check_route(name[0], c, &in->track);
+    for (int i = 0; i < 4; i++)
+        free(name[i]);
 }
 
-/* The massless point between two springs: condensed, k = k1 k2/(k1 + k2) and, at the low frequencies it passes, c = c1 (k2/(k1 + k2))^2. */
 static struct wheel_law contact_law(const struct case_text *c)
 {
-    double share = c->contact.series / (c->contact.stiffness + c->contact.series);
     struct wheel_law law = {
         .normal = c->contact.law == CASE_HERTZ ? WHEEL_HERTZ : WHEEL_LINEAR,
-        .stiffness = c->contact.stiffness * share,
-        .damping = c->contact.damping * share * share,
         .hertz_damping = c->contact.hertz_damping,
         .friction = c->friction,
         .step = c->step,
     };
 
+    wheel_condense(&law, c->contact.stiffness, c->contact.damping, c->contact.series);
     fastsim_begin(&law.grid, (int)c->contact.grid);
     return law;
 }

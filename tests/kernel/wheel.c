@@ -307,6 +307,16 @@ static void shares(void)
     near(o.patch[0].N, o.Q, 1e-9, "and tells that");
 }
 
+/* 141 MN/m and 30 kN s/m before 5000 MN/m: 137.1 MN/m and 28.4 kN s/m. */
+static void condensed(void)
+{
+    struct wheel_law law = {0};
+
+    wheel_condense(&law, 141e6, 30e3, 5000e6);
+    near(law.stiffness, 137.13e6, 5e3, "springs in series");
+    near(law.damping, 28.38e3, 5, "and the damper's share of their give, squared");
+}
+
 int main(void)
 {
     normal_law(0);
@@ -319,5 +329,6 @@ int main(void)
     moments();
     friction();
     shares();
+    condensed();
     return done();
 }

@@ -21,6 +21,14 @@ struct approach {
     double N[CONTACT_MAX];     /* N of the whole contact; its share is weight N */
 };
 
+void wheel_condense(struct wheel_law *law, double stiffness, double damping, double series)
+{
+    double share = series / (stiffness + series);
+
+    law->stiffness = stiffness * share;
+    law->damping = damping * share * share;
+}
+
 /* reach = z + roll b - height(u, roll, s) - rail - dip, all vertical, b the running circle's y. */
 static const char *approach_find(struct approach *a, const struct wheel_input *in)
 {

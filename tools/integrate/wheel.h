@@ -63,6 +63,10 @@ struct wheel_output {
     struct wheel_patch patch[RUN_CONTACTS];
 };
 
+/* Sets stiffness and damping of the linear law: a spring (N/m) and damper (N s/m) from the wheel to a massless point, in series with a spring
+ * from there to the rail.  Condensed: k = k1 k2/(k1 + k2) and, at the low frequencies it passes, c = c1 (k2/(k1 + k2))^2. */
+void wheel_condense(struct wheel_law *law, double stiffness, double damping, double series);
+
 /* Fails where the wheel leaves the contact table.  A wheel off its rail has no force and no patch. */
 const char *wheel_force(const struct wheel_law *law, const struct wheel_input *in, struct wheel_memory *memory,
                         struct wheel_output *out);
