@@ -16,6 +16,7 @@ enum { NEWTON_MOST = 50 };
 struct approach {
     int n;
     struct contact c[CONTACT_MAX];
+    double cosg[CONTACT_MAX];  /* 1 cosine of the contact angle */
     double reach[CONTACT_MAX]; /* m how far the wheel stands below first touch, the local deflection not counted */
     double rate[CONTACT_MAX];  /* m/s */
     double N[CONTACT_MAX];     /* N of the whole contact; its share is weight N */
@@ -40,6 +41,7 @@ static const char *approach_find(struct approach *a, const struct wheel_input *i
         return reason("the wheel is %.1f mm beside its rail, which is beyond the contact table", 1e3 * u);
     for (int k = 0; k < a->n; k++) {
         const struct contact *c = &a->c[k];
+        a->cosg[k] = cos(c->row[CTAB_ANGLE]);
         a->reach[k] = in->z + in->roll * b - c->height - in->rail_z - in->dip;
         a->rate[k] = in->vz + in->vroll * b - c->height_u * vu - c->height_roll * in->vroll - c->height_s * in->v -
                      in->rail_v - in->rail_slope * in->v - in->dip_slope * in->v;
@@ -51,7 +53,7 @@ static const char *approach_find(struct approach *a, const struct wheel_input *i
 static double normal_force(const struct wheel_law *law, const struct approach *a, int k, double d, double rate_d, double *slope)
 {
     const double *row = a->c[k].row;
-    double cosg = cos(row[CTAB_ANGLE]);
+    const double cosg = a->cosg[k];
     double e = (a->reach[k] - d) * cosg, ve = (a->rate[k] - rate_d) * cosg, N;
 
     *slope = 0;
@@ -81,10 +83,10 @@ static double solve_local(const struct wheel_law *law, const struct wheel_input 
     for (int i = 0; i < NEWTON_MOST; i++) {
         double Q = memory->creep_z, dQ = 0, move;
         for (int k = 0; k < a->n; k++) {
-            double slope, cosg = cos(a->c[k].row[CTAB_ANGLE]);
+            double slope;
             a->N[k] = normal_force(law, a, k, d, (d - memory->local) / law->step, &slope);
-            Q += a->c[k].weight * a->N[k] * cosg;
-            dQ += a->c[k].weight * slope * cosg;
+            Q += a->c[k].weight * a->N[k] * a->cosg[k];
+            dQ += a->c[k].weight * slope * a->cosg[k];
         }
         move = (d - in->compliance * Q) / (1 - in->compliance * dQ);
         if (fabs(move) < NEWTON_TOLERANCE)
@@ -124,7 +126,7 @@ static void add_contact(const struct wheel_law *law, const struct wheel_input *i
 {
     const struct ctab *t = in->table;
     const double *row = a->c[k].row;
-    double N = a->N[k], w = a->c[k].weight, root = cbrt(N), g = row[CTAB_ANGLE], cosg = cos(g), sing = sin(g);
+    double N = a->N[k], w = a->c[k].weight, root = cbrt(N), g = row[CTAB_ANGLE], cosg = a->cosg[k], sing = sin(g);
     double y = t->rail_position + in->rail_y + row[CTAB_RAIL_Y], z = rail_z + row[CTAB_RAIL_Z];
     double semi_a = row[CTAB_HERTZ_A] * root, semi_b = row[CTAB_HERTZ_B] * root;
     double r[3] = {row[CTAB_X], y - in->y, z - in->z + in->radius}, creep[3], T[3], F[3], M[3];
@@ -182,7 +184,7 @@ const char *wheel_force(const struct wheel_law *law, const struct wheel_input *i
             struct wheel_patch p;
             add_contact(law, in, &a, k, in->rail_z + in->dip + d, out, &p);
             keep_patch(out, &p);
-            normal_z += a.c[k].weight * a.N[k] * cos(a.c[k].row[CTAB_ANGLE]);
+            normal_z += a.c[k].weight * a.N[k] * a.cosg[k];
         }
     memory->local = d;
     memory->creep_z = out->Q - normal_z;
