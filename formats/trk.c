@@ -6,6 +6,7 @@
 
 #include "formats/room.h"
 #include "formats/trk_check.h"
+#include "formats/vxf_member.h"
 
 /* Sizes an array may have. */
 enum size { ONE, RAILS, BALLAST, NODES, ELEMENTS, SLEEPERS, CHECKS, CURVES, ZONES, LETTERS, COLUMNS, ENTRIES, SIZES };
@@ -15,17 +16,9 @@ enum {
     DOFS_SLEEPER = 2             /* z roll */
 };
 
-struct entry {
-    const char *name, *unit;
-    enum vxf_type type;
-    int ndim;
-    enum size dim[2];
-    size_t at;
-};
-
 #define AT(member) offsetof(struct trk, member)
 
-static const struct entry TABLE[] = {
+static const struct vxf_member TABLE[] = {
     {"x",              "m",     VXF_F64, 1, {NODES, ONE},        AT(x)},
     {"bending",        "N.m2",  VXF_F64, 2, {RAILS, ELEMENTS},   AT(bending)},
     {"rail.mass",      "kg",    VXF_F64, 2, {RAILS, NODES},      AT(rail_mass)},
@@ -64,31 +57,13 @@ static const struct entry TABLE[] = {
 
 enum { ENTRIES_OF_TABLE = sizeof TABLE / sizeof TABLE[0] };
 
-static const void *member(const struct trk *t, const struct entry *e)
+/* What follows from nodes and sleepers, once they are known. */
+static void derive_sizes(int64_t size[SIZES])
 {
-    const void *data;
-    memcpy(&data, (const char *)t + e->at, sizeof data);
-    return data;
-}
-
-static const char *get(struct trk *t, const struct vxf *f, const struct entry *e, int64_t size[SIZES])
-{
-    int64_t dim[VXF_DIMS];
-    const void *data;
-
-    for (int k = 0; k < e->ndim; k++)
-        dim[k] = size[e->dim[k]];
-    const char *why = vxf_get(f, e->name, e->type, e->unit, e->ndim, dim, &data);
-    if (why)
-        return why;
-    for (int k = 0; k < e->ndim; k++)
-        size[e->dim[k]] = dim[k];
     if (size[NODES] >= 0)
         size[ELEMENTS] = size[NODES] - 1;
     if (size[NODES] >= 0 && size[SLEEPERS] >= 0)
         size[COLUMNS] = DOFS_NODE * size[NODES] + DOFS_SLEEPER * size[SLEEPERS] + 1;
-    memcpy((char *)t + e->at, &data, sizeof data);
-    return NULL;
 }
 
 const char *trk_read(struct trk *t, const struct vxf *f)
@@ -108,9 +83,11 @@ const char *trk_read(struct trk *t, const struct vxf *f)
         (why = vxf_get(f, "rail.spacing", VXF_F64, "m", 0, NULL, &spacing)))
         return why;
     t->rail_spacing = *(const double *)spacing;
-    for (int k = 0; k < ENTRIES_OF_TABLE; k++)
-        if ((why = get(t, f, &TABLE[k], size)))
+    for (int k = 0; k < ENTRIES_OF_TABLE; k++) {
+        if ((why = vxf_get_member(f, &TABLE[k], size, t)))
             return why;
+        derive_sizes(size);
+    }
     t->nodes = size[NODES];
     t->sleepers = size[SLEEPERS];
     t->dofs = size[COLUMNS] - 1;
@@ -131,11 +108,7 @@ const char *trk_put(const struct trk *t, struct vxf_out *o)
         [ENTRIES] = t->Ap[t->dofs]};
     vxf_put_key(o, "NAME", "%s", t->name);
     vxf_put(o, "rail.spacing", VXF_F64, "m", 0, NULL, &t->rail_spacing);
-    for (int k = 0; k < ENTRIES_OF_TABLE; k++) {
-        const struct entry *e = &TABLE[k];
-        const int64_t dim[2] = {size[e->dim[0]], size[e->dim[1]]};
-        vxf_put(o, e->name, e->type, e->unit, e->ndim, dim, member(t, e));
-    }
+    vxf_put_members(o, TABLE, ENTRIES_OF_TABLE, size, t);
     return NULL;
 }
 

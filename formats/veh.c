@@ -7,21 +7,14 @@
 
 #include "formats/reason.h"
 #include "formats/room.h"
+#include "formats/vxf_member.h"
 
 /* Sizes an array may have. */
 enum size { ONE, TWO, AXES, DOFS, BODIES, COUPLINGS, FIRSTS, KNOTS, WHEELSETS, ROWS, LETTERS, SIZES };
 
-struct entry {
-    const char *name, *unit;
-    enum vxf_type type;
-    int ndim;
-    enum size dim[2];
-    size_t at;
-};
-
 #define AT(member) offsetof(struct veh, member)
 
-static const struct entry TABLE[] = {
+static const struct vxf_member TABLE[] = {
     {"body.name",          "text",          VXF_U8,  2, {BODIES, LETTERS},    AT(body_name)},
     {"body.mass",          "kg",            VXF_F64, 1, {BODIES, ONE},        AT(mass)},
     {"body.inertia",       "kg.m2",         VXF_F64, 2, {BODIES, AXES},       AT(inertia)},
@@ -48,24 +41,13 @@ static const struct entry TABLE[] = {
 
 enum { ENTRIES = sizeof TABLE / sizeof TABLE[0] };
 
-static const char *get(struct veh *v, const struct vxf *f, const struct entry *e, int64_t size[SIZES])
+/* What follows from bodies and couplings, once they are known. */
+static void derive_sizes(int64_t size[SIZES])
 {
-    int64_t dim[VXF_DIMS];
-    const void *data;
-
-    for (int k = 0; k < e->ndim; k++)
-        dim[k] = size[e->dim[k]];
-    const char *why = vxf_get(f, e->name, e->type, e->unit, e->ndim, dim, &data);
-    if (why)
-        return why;
-    for (int k = 0; k < e->ndim; k++)
-        size[e->dim[k]] = dim[k];
     if (size[BODIES] >= 0)
         size[ROWS] = VEH_DOFS * size[BODIES];
     if (size[COUPLINGS] >= 0)
         size[FIRSTS] = size[COUPLINGS] + 1;
-    memcpy((char *)v + e->at, &data, sizeof data);
-    return NULL;
 }
 
 static const char *check_names(const char *array, const char (*name)[32], int64_t n)
@@ -213,9 +195,11 @@ const char *veh_read(struct veh *v, const struct vxf *f)
         (why = vxf_get(f, "gravity", VXF_F64, "m/s2", 0, NULL, &gravity)))
         return why;
     v->gravity = *(const double *)gravity;
-    for (int k = 0; k < ENTRIES; k++)
-        if ((why = get(v, f, &TABLE[k], size)))
+    for (int k = 0; k < ENTRIES; k++) {
+        if ((why = vxf_get_member(f, &TABLE[k], size, v)))
             return why;
+        derive_sizes(size);
+    }
     v->bodies = size[BODIES];
     v->couplings = size[COUPLINGS];
     v->wheelsets = size[WHEELSETS];
@@ -233,13 +217,7 @@ const char *veh_put(const struct veh *v, struct vxf_out *o)
         [KNOTS] = v->knots, [WHEELSETS] = v->wheelsets, [ROWS] = VEH_DOFS * v->bodies, [LETTERS] = sizeof v->body_name[0]};
     vxf_put_key(o, "NAME", "%s", v->name);
     vxf_put(o, "gravity", VXF_F64, "m/s2", 0, NULL, &v->gravity);
-    for (int k = 0; k < ENTRIES; k++) {
-        const struct entry *e = &TABLE[k];
-        const int64_t dim[2] = {size[e->dim[0]], size[e->dim[1]]};
-        const void *data;
-        memcpy(&data, (const char *)v + e->at, sizeof data);
-        vxf_put(o, e->name, e->type, e->unit, e->ndim, dim, data);
-    }
+    vxf_put_members(o, TABLE, ENTRIES, size, v);
     return NULL;
 }
 

@@ -2,6 +2,7 @@
  * zero, nan, an unknown, doubled or missing key are each refused with their place. */
 #include "formats/yaml.h"
 #include "formats/reason.h"
+#include "formats/word.h"
 #include "formats/yaml_tree.h"
 
 #include <errno.h>
@@ -260,30 +261,6 @@ static const char *default_value(struct walk *w, const struct yaml_field *f, voi
     return why;
 }
 
-static int distance(const char *a, const char *b)
-{
-    int row[64], n = (int)strlen(b);
-
-    if (n > 62)
-        return 99;
-    for (int j = 0; j <= n; j++)
-        row[j] = j;
-    for (int i = 1; *a; a++, i++) {
-        int corner = row[0];
-        row[0] = i;
-        for (int j = 1; j <= n; j++) {
-            int best = corner + (*a != b[j - 1]);
-            corner = row[j];
-            if (row[j] + 1 < best)
-                best = row[j] + 1;
-            if (row[j - 1] + 1 < best)
-                best = row[j - 1] + 1;
-            row[j] = best;
-        }
-    }
-    return row[n];
-}
-
 /* The place is that of the key.  A key that is a number is what follows a decimal comma in {a: 1,2e8}. */
 static const char *unknown(struct walk *w, const struct yaml_schema *schema, const struct yaml_node *child, const char *key)
 {
@@ -294,8 +271,8 @@ static const char *unknown(struct walk *w, const struct yaml_schema *schema, con
     if (least > 4)
         least = 4;
     for (const struct yaml_field *f = schema->field; f->key; f++)
-        if (distance(key, f->key) < least) {
-            least = distance(key, f->key);
+        if (word_distance(key, f->key) < least) {
+            least = word_distance(key, f->key);
             nearest = f->key;
         }
     if (nearest)
