@@ -43,7 +43,8 @@ static const char *arrays_read(struct prof *p, const struct vxf *f)
         (why = vxf_get(f, "y", VXF_F64, "m", 1, &p->points, (const void **)&p->y)) ||
         (why = vxf_get(f, "z", VXF_F64, "m", 1, &p->points, (const void **)&p->z)) ||
         (why = vxf_get(f, "slope", VXF_F64, "1", 1, &p->points, (const void **)&p->slope)) ||
-        (why = vxf_get(f, "curvature", VXF_F64, "1/m", 1, &p->points, (const void **)&p->curvature)))
+        (why = vxf_get(f, "curvature", VXF_F64, "1/m", 1, &p->points, (const void **)&p->curvature)) ||
+        (why = vxf_get(f, "fall", VXF_F64, "1", 1, &p->points, (const void **)&p->fall)))
         return why;
     p->bodies = bodies[0];
     if (firsts != p->polys + 1)
@@ -118,6 +119,7 @@ const char *prof_put(const struct prof *p, struct vxf_out *o)
     vxf_put(o, "z", VXF_F64, "m", 1, &p->points, p->z);
     vxf_put(o, "slope", VXF_F64, "1", 1, &p->points, p->slope);
     vxf_put(o, "curvature", VXF_F64, "1/m", 1, &p->points, p->curvature);
+    vxf_put(o, "fall", VXF_F64, "1", 1, &p->points, p->fall);
     return NULL;
 }
 

@@ -26,6 +26,7 @@ struct prof {
     const double *y, *z;             /* m [points], y increasing within a polyline */
     const double *slope;             /* 1 [points] dz/dy */
     const double *curvature;         /* 1/m [points] z''/(1 + z'^2)^1.5: positive where the centre lies below */
+    const double *fall;              /* 1 [points] dz/dx along the track at this y: positive where the surface falls ahead; a wheel's is 0 */
     void *store;                     /* what prof_free releases; NULL where the arrays belong to a file */
 };
 

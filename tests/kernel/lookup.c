@@ -195,6 +195,7 @@ static struct shape *rail_pair(double dy, double dz)
     two->prof.z = two->z;
     two->prof.slope = two->slope;
     two->prof.curvature = two->curvature;
+    two->prof.fall = two->fall;
     two->prof.body = (const char (*)[PROF_NAME])two->body;
     free(one);
     return two;

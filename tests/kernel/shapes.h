@@ -12,7 +12,7 @@ enum { SHAPE_POINTS = 4000 };
 
 struct shape {
     struct prof prof;
-    double y[SHAPE_POINTS], z[SHAPE_POINTS], slope[SHAPE_POINTS], curvature[SHAPE_POINTS], station[1];
+    double y[SHAPE_POINTS], z[SHAPE_POINTS], slope[SHAPE_POINTS], curvature[SHAPE_POINTS], fall[SHAPE_POINTS], station[1];
     int64_t poly_section[1], poly_body[1], poly_first[2];
     char body[1][PROF_NAME];
 };
@@ -58,6 +58,7 @@ static inline struct shape *shape_end(struct shape *s, char side)
     p->z = s->z;
     p->slope = s->slope;
     p->curvature = s->curvature;
+    p->fall = s->fall;
     return s;
 }
 

@@ -8,10 +8,10 @@
 const char *outline_new(struct outline *o, int64_t n)
 {
     *o = (struct outline){0};
-    double *store = calloc((size_t)n * 4, sizeof *store);
+    double *store = calloc((size_t)n * 5, sizeof *store);
     if (!store)
         return REASON_MEMORY;
-    *o = (struct outline){.n = n, .y = store, .z = store + n, .slope = store + 2 * n, .curvature = store + 3 * n};
+    *o = (struct outline){.n = n, .y = store, .z = store + n, .slope = store + 2 * n, .curvature = store + 3 * n, .fall = store + 4 * n};
     return NULL;
 }
 
@@ -44,13 +44,14 @@ void outline_mirror(struct outline *o)
     array_reverse(o->z, o->n, 1);
     array_reverse(o->slope, o->n, -1);
     array_reverse(o->curvature, o->n, 1);
+    array_reverse(o->fall, o->n, 1);
 }
 
 void outline_keep(struct outline *o, int64_t first, int64_t end)
 {
-    double *array[] = {o->y, o->z, o->slope, o->curvature};
+    double *array[] = {o->y, o->z, o->slope, o->curvature, o->fall};
 
     o->n = end - first;
-    for (int k = 0; k < 4; k++)
+    for (int k = 0; k < 5; k++)
         memmove(array[k], array[k] + first, (size_t)o->n * sizeof *array[k]);
 }

@@ -9,6 +9,7 @@ struct outline {
     double *y, *z;        /* m [n] */
     double *slope;        /* 1 [n] dz/dy */
     double *curvature;    /* 1/m [n] z''/(1 + z'^2)^1.5 */
+    double *fall;         /* 1 [n] dz/dx along the track at this y, positive where the surface falls ahead; 0 as made */
 };
 
 const char *outline_new(struct outline *o, int64_t n);

@@ -38,11 +38,11 @@ void set_free(struct set *t)
 }
 
 /* One block of memory, the numbers first. */
-struct store { double *station, *y, *z, *slope, *curvature; int64_t *section, *body, *first; char (*name)[PROF_NAME]; };
+struct store { double *station, *y, *z, *slope, *curvature, *fall; int64_t *section, *body, *first; char (*name)[PROF_NAME]; };
 
 static void *store_new(const struct set *t, int64_t points, struct store *s)
 {
-    int64_t numbers = t->sections + 4 * points, indices = 3 * t->polys + 1;
+    int64_t numbers = t->sections + 5 * points, indices = 3 * t->polys + 1;
     double *block = calloc(1, (size_t)(numbers + indices) * 8 + (size_t)t->bodies * PROF_NAME);
     if (!block)
         return NULL;
@@ -51,7 +51,8 @@ static void *store_new(const struct set *t, int64_t points, struct store *s)
     s->z = s->y + points;
     s->slope = s->z + points;
     s->curvature = s->slope + points;
-    s->section = (int64_t *)(s->curvature + points);
+    s->fall = s->curvature + points;
+    s->section = (int64_t *)(s->fall + points);
     s->body = s->section + t->polys;
     s->first = s->body + t->polys;
     s->name = (char (*)[PROF_NAME])(s->first + t->polys + 1);
@@ -67,8 +68,9 @@ static void poly_store(const struct set_poly *poly, char side, struct store *s, 
     memcpy(s->z + at, o->z, bytes);
     memcpy(s->slope + at, o->slope, bytes);
     memcpy(s->curvature + at, o->curvature, bytes);
+    memcpy(s->fall + at, o->fall, bytes);
     if (side == 'l')
-        outline_mirror(&(struct outline){o->n, s->y + at, s->z + at, s->slope + at, s->curvature + at});
+        outline_mirror(&(struct outline){o->n, s->y + at, s->z + at, s->slope + at, s->curvature + at, s->fall + at});
 }
 
 const char *set_prof(const struct set *t, char side, struct prof *p)
@@ -104,5 +106,6 @@ const char *set_prof(const struct set *t, char side, struct prof *p)
     p->z = s.z;
     p->slope = s.slope;
     p->curvature = s.curvature;
+    p->fall = s.fall;
     return NULL;
 }

@@ -40,7 +40,7 @@ static const char *rail_moved(const struct section *rail, double out, double up,
 
     if (why)
         return why;
-    memcpy(o->y, plain->y, (size_t)plain->n * 4 * sizeof *o->y);
+    memcpy(o->y, plain->y, (size_t)plain->n * 5 * sizeof *o->y);
     outline_shift(o, out, -up);
     return NULL;
 }
