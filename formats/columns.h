@@ -5,6 +5,13 @@
 
 #include <stdint.h>
 
+/* A column to be printed. */
+struct column {
+    const char *name;
+    const char *unit;        /* NULL where it holds letters, not numbers */
+    int digits;              /* significant ones */
+};
+
 enum { COLUMNS_MOST = 64, COLUMNS_NAME = 48 };
 
 struct columns {

@@ -4,11 +4,13 @@
  * radius difference, equivalent conicity.  Rigid contacts of a surface of revolution (contact locus), Hertz patches; Klingel's
  * motion after EN 15302.  x forward, y to the right, z down, SI units. */
 #include "tools/cli/cli.h"
+#include "tools/cli/table.h"
 
 #include "formats/ctab.h"
 #include "formats/prof.h"
 #include "tools/contact/conicity.h"
 #include "tools/contact/lookup.h"
+#include "tools/contact/rows.h"
 #include "tools/contact/table.h"
 #include "tools/contact/wheelset.h"
 
@@ -63,13 +65,6 @@ static const struct cli_program program = {
     .option = options,
 };
 
-/* Columns of contacts printed, in this order. */
-static const enum ctab_column printed[] = {
-    CTAB_HEIGHT, CTAB_RAIL_Y, CTAB_RAIL_Z, CTAB_X, CTAB_WHEEL_Y, CTAB_ANGLE, CTAB_RADIUS, CTAB_RAIL_K, CTAB_WHEEL_K,
-    CTAB_HERTZ_C, CTAB_HERTZ_A, CTAB_HERTZ_B, CTAB_BODY,
-};
-enum { PRINTED = sizeof printed / sizeof *printed };
-
 /* Exactly one of the five forms of the usage. */
 static char **parse(int argc, char **argv)
 {
@@ -99,6 +94,12 @@ static void open_table(struct vxf *f, struct ctab *t, const char *path, char sid
         cli_die("%s: is of side %c, must be %c", path, t->side, side);
 }
 
+static void open_prof(struct vxf *f, struct prof *p, const char *path)
+{
+    cli_open(f, path, "prof");
+    cli_check(path, prof_read(p, f));
+}
+
 static void build_table(void)
 {
     struct vxf wheel_file, rail_file;
@@ -106,10 +107,8 @@ static void build_table(void)
     struct ctab t;
     struct vxf_out o;
 
-    cli_open(&wheel_file, opt.wheel, "prof");
-    cli_check(opt.wheel, prof_read(&wheel, &wheel_file));
-    cli_open(&rail_file, opt.rail, "prof");
-    cli_check(opt.rail, prof_read(&rail, &rail_file));
+    open_prof(&wheel_file, &wheel, opt.wheel);
+    open_prof(&rail_file, &rail, opt.rail);
     cli_check(opt.rail, table_fill(&t, &wheel, &rail, opt.yaw ? TABLE_EXACT : TABLE_NONE, &opt.grid));
     vxf_out_begin(&o, "ctab");
     vxf_put_input(&o, &wheel_file);
@@ -123,25 +122,6 @@ static void build_table(void)
     prof_free(&rail);
     vxf_close(&wheel_file);
     vxf_close(&rail_file);
-}
-
-static void print_contact_header(void)
-{
-    printf(" %12s", "weight[1]");
-    for (int i = 0; i < PRINTED; i++) {
-        char text[48];
-        snprintf(text, sizeof text, "%s[%s]", ctab_columns[printed[i]].name, ctab_columns[printed[i]].unit);
-        printf(" %20s", text);
-    }
-    printf(" %16s\n", "gap[m]");
-}
-
-static void print_contact(const struct contact *c, double first)
-{
-    printf(" %12.6g", c->weight);
-    for (int i = 0; i < PRINTED; i++)
-        printf(" %20.10g", c->row[printed[i]]);
-    printf(" %16.6g\n", c->height - first);
 }
 
 /* The lookup would hold it at the end. */
@@ -158,6 +138,8 @@ static void print_query(const char *path)
     struct vxf f;
     struct ctab t;
     struct contact c[CONTACT_MAX];
+    struct column column[ROWS_N];
+    double row[ROWS_N];
 
     cli_items("query", opt.query, item, 4);
     open_table(&f, &t, path, 0);
@@ -165,38 +147,48 @@ static void print_query(const char *path)
     int n = contact_lookup(&t, s, yaw, u, roll, c);
     if (n < 0)
         cli_die("%s: u = %g m is beyond the table, %g to %g", path, u, t.u[0], t.u[t.us - 1]);
-    print_contact_header();
-    for (int i = 0; i < n; i++)
-        print_contact(&c[i], c[0].height);
+    rows_columns(column);
+    cli_header(column + ROWS_CONTACT, ROWS_N - ROWS_CONTACT);
+    for (int i = 0; i < n; i++) {
+        rows_contact(&c[i], c[0].height, row);
+        cli_row(column + ROWS_CONTACT, ROWS_N - ROWS_CONTACT, row + ROWS_CONTACT);
+    }
     vxf_close(&f);
 }
 
 static void print_wheelset(const struct ctab *left, const struct ctab *right, double s, double yaw, double y, double load)
 {
+    struct column column[ROWS_N];
+    double row[ROWS_N], rest[ROWS_REST];
     struct wheelset w;
 
     cli_check("wheelset", wheelset_rest(left, right, s, yaw, y, load, !opt.no_roll, &w));
-    printf(" %18s %18s %22s\n %18.10g %18.10g %22.10g\n", "z[m]", "roll[rad]", "radius_difference[m]", w.z, w.roll, w.radius_difference);
-    printf("%4s %18s %14s", "side", "u[m]", "force[N]");
-    print_contact_header();
-    for (int side = WHEELSET_LEFT; side <= WHEELSET_RIGHT; side++)
-        for (int i = 0; i < w.side[side].n; i++) {
-            printf("%4c %18.10g %14.8g", "lr"[side], w.side[side].u, w.side[side].force[i]);
-            print_contact(&w.side[side].contact[i], w.side[side].contact[0].height);
+    rows_wheelset_rest(&w, rest);
+    cli_header(rows_rest, ROWS_REST);
+    cli_row(rows_rest, ROWS_REST, rest);
+    rows_columns(column);
+    cli_header(column, ROWS_N);
+    for (int i = WHEELSET_LEFT; i <= WHEELSET_RIGHT; i++)
+        for (int k = 0; k < w.side[i].n; k++) {
+            rows_wheelset(&w, i, k, row);
+            cli_row(column, ROWS_N, row);
         }
 }
 
 static void print_sweep(const struct wheelset_point *p, int64_t n)
 {
-    printf("%9s %14s %22s %14s %16s %16s %16s %16s\n", "y[m]", "z[m]", "radius_difference[m]", "roll[rad]", "rail_y_left[m]",
-           "rail_y_right[m]", "wheel_y_left[m]", "wheel_y_right[m]");
-    for (int64_t i = 0; i < n; i++)
-        printf("%9.6f %14.9f %22.9f %14.9f %16.9f %16.9f %16.9f %16.9f\n", p[i].y, p[i].z, p[i].radius_difference, p[i].roll,
-               p[i].rail_y[0], p[i].rail_y[1], p[i].wheel_y[0], p[i].wheel_y[1]);
+    double row[ROWS_SWEEP];
+
+    cli_header(rows_sweep, ROWS_SWEEP);
+    for (int64_t i = 0; i < n; i++) {
+        rows_wheelset_point(&p[i], row);
+        cli_row(rows_sweep, ROWS_SWEEP, row);
+    }
 }
 
 static void print_conicity(const struct wheelset_point *p, int64_t n, double r0)
 {
+    static const struct column column[] = {{"amplitude", "m", 6}, {"conicity", "1", 6}, {"wavelength", "m", 6}};
     static double y[SWEEP_MOST], dr[SWEEP_MOST];
     double conicity, wavelength;
 
@@ -205,7 +197,8 @@ static void print_conicity(const struct wheelset_point *p, int64_t n, double r0)
         dr[i] = p[i].radius_difference;
     }
     cli_check("conicity", conicity_klingel(y, dr, n, opt.conicity, TAPE_LINE, r0, &conicity, &wavelength));
-    printf("%12s %12s %14s\n%12.6g %12.6f %14.6g\n", "amplitude[m]", "conicity[1]", "wavelength[m]", opt.conicity, conicity, wavelength);
+    cli_header(column, 3);
+    cli_row(column, 3, (double[]){opt.conicity, conicity, wavelength});
 }
 
 static void print_pair(char **path)
