@@ -6,6 +6,7 @@
 #include "formats/reason.h"
 #include "tools/profile/curve.h"
 #include "tools/profile/gauge.h"
+#include "tools/profile/opening.h"
 #include "tools/profile/resample.h"
 
 #define STEP 2.5e-5          /* m, of y while cutting */
@@ -39,25 +40,6 @@ static double crown_height(const struct outline *o, double y)
         i++;
     double d = y - o->y[i], second = o->curvature[i] * pow(1 + o->slope[i] * o->slope[i], 1.5);
     return d >= 0 ? outline_height(o, y) : o->z[i] + d * (o->slope[i] + d * second / 2);
-}
-
-/* Heights z[n] (m) at even steps of y become the upper edge of all discs of radius r (m) that fit below them; INFINITY is no
- * material.  work[n]. */
-static void head_round(int64_t n, double step, double r, double *z, double *work)
-{
-    int64_t m = (int64_t)(r / step);
-
-    /* Lowest free centre of a disc over i: max_k z_{i+k} + sqrt(r^2 - (k step)^2). */
-    for (int64_t i = 0; i < n; i++) {
-        work[i] = i < m || i >= n - m ? INFINITY : -INFINITY;
-        for (int64_t k = -m; k <= m && work[i] < INFINITY; k++)
-            work[i] = fmax(work[i], z[i + k] + sqrt(r * r - (double)(k * k) * step * step));
-    }
-    for (int64_t i = 0; i < n; i++) {
-        z[i] = INFINITY;
-        for (int64_t k = i < m ? -i : -m; k <= m && i + k < n; k++)
-            z[i] = fmin(z[i], work[i + k] - sqrt(r * r - (double)(k * k) * step * step));
-    }
 }
 
 /* z[n] from y on becomes a smooth outline; what lies deeper than the rail's outline is left out. */
@@ -97,14 +79,14 @@ const char *head_blade(const struct section *rail, double thickness, double lowe
     face = fmin(face, rail->gauge_face);
     double back = face + thickness, high = crown_height(plain, fmin(back, 0));
     int64_t n = (int64_t)((back - from) / STEP) + 1;
-    double *z = calloc((size_t)n * 2, sizeof *z);
+    double *z = calloc((size_t)n * 3, sizeof *z);
     if (!z)
         return REASON_MEMORY;
     for (int64_t i = 0; i < n; i++) {
         double y = from + (double)i * STEP;
         z[i] = fmax(outline_height(plain, y), lowering - high + crown_height(plain, y));
     }
-    head_round(n, STEP, r, z, z + n);
+    opening_round(n, STEP, r, z, z + n);
     why = head_outline(n, from, z, depth, o, r, blade);
     free(z);
     return why;
@@ -132,12 +114,12 @@ const char *head_wing(const struct section *rail, double share, const struct hea
     if (y_level > plain->y[highest])
         return reason("a wing rail level from %g mm behind its edge on: the rail is highest there already at %.3g mm", 1e3 * top->level,
                       1e3 * (plain->y[highest] - rail->gauge_face));
-    double *z = calloc((size_t)n * 2, sizeof *z);
+    double *z = calloc((size_t)n * 3, sizeof *z);
     if (!z)
         return REASON_MEMORY;
     for (int64_t i = 0; i < n; i++)
         z[i] = wing_height(plain, from + (double)i * STEP, plain->y[highest], y_level, top->crown_radius);
-    head_round(n, STEP, o->edge_radius, z, z + n);
+    opening_round(n, STEP, o->edge_radius, z, z + n);
     for (int64_t i = 0; i < n; i++)
         z[i] = share * z[i] + (1 - share) * outline_height(plain, from + (double)i * STEP);
     const char *why = head_outline(n, from, z, plain->z[0], o, o->edge_radius, wing);
@@ -156,7 +138,7 @@ const char *head_nose(const struct section *rail, double width, double lowering,
         return reason("a nose %.3g mm wide is too thin to cut, at least %g mm", 1e3 * width, 1e3 * THINNEST);
     double mirror = 2 * rail->gauge_face + width, high = crown_height(plain, mirror / 2);
     int64_t n = (int64_t)((mirror - 2 * from) / STEP) + 1;
-    double *z = calloc((size_t)n * 2, sizeof *z);
+    double *z = calloc((size_t)n * 3, sizeof *z);
 
     if (!z)
         return REASON_MEMORY;
@@ -166,7 +148,7 @@ const char *head_nose(const struct section *rail, double width, double lowering,
         double crown = fmax(crown_height(plain, y), crown_height(plain, other));
         z[i] = fmax(head, lowering - high + crown);
     }
-    head_round(n, STEP, r, z, z + n);
+    opening_round(n, STEP, r, z, z + n);
     const char *why = head_outline(n, from, z, depth, o, r, nose);
     free(z);
     return why;
