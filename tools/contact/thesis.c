@@ -1,0 +1,97 @@
+/* The wheelset turned by psi about its centre and projected on the track's cross-section: y = a cos(psi), z unchanged.  This alone draws
+ * wheel and flange away from the rail, by a (1 - cos(psi)).  What it misses is that a flange touches ahead of the axle or behind it: a
+ * circle of the face, radius r and slope m = -dr/da, stands out furthest at sin(t) = m tan(psi) and there, at a given depth below the axle, by
+ *
+ *     delta = r m tan(psi)^2/2
+ *
+ * A section of the profile between points A (tread side) and B (flange side) taken out and the flange's part closed up to A advances a
+ * face of slope m by (y_A - y_B) - (z_B - z_A)/m.  A is where the profile stands at 45 degrees; B follows from the advance being delta. */
+#include "tools/contact/thesis.h"
+
+#include <math.h>
+#include <stddef.h>
+
+#include "formats/reason.h"
+
+#define ROOT 1.0              /* slope between tread and flange, where the section begins */
+#define BASE 1.8              /* m, between the wheelsets of a Y25 bogie, the shortest in main-line use */
+
+/* Between the flange's tip and the running circle: the steepest point. */
+static int64_t steepest(const double *y, const double *z, const double *slope, int64_t n)
+{
+    int64_t tip = 0, at;
+
+    for (int64_t i = 1; i < n && y[i] < 0; i++)
+        tip = z[i] > z[tip] ? i : tip;
+    at = tip;
+    for (int64_t i = tip; i < n && y[i] < 0; i++)
+        at = slope[i] < slope[at] ? i : at;
+    return at;
+}
+
+const char *thesis_section(const double *y, const double *z, const double *slope, int64_t n, double radius, double yaw,
+                           struct thesis_cut *cut)
+{
+    *cut = (struct thesis_cut){0};
+    if (yaw == 0)
+        return NULL;
+
+    int64_t face = steepest(y, z, slope, n), a = face;
+    double m = -slope[face], delta = 0.5 * (radius + z[face]) * m * tan(yaw) * tan(yaw), before = 0;
+    if (!(m > ROOT))
+        return "the wheel's profile has no flange steeper than 45 degrees";
+    while (a < n - 1 && slope[a] <= -ROOT)
+        a++;
+    for (int64_t b = a - 1; b >= face; b--) {
+        double advance = y[a] - y[b] - (z[b] - z[a]) / m;
+        if (advance >= delta) {
+            double t = (delta - before) / (advance - before);      /* from b + 1 to b */
+            cut->y = y[a];
+            cut->dy = y[a] - y[b + 1] + t * (y[b + 1] - y[b]);
+            cut->dz = z[b + 1] - z[a] + t * (z[b] - z[b + 1]);
+            return NULL;
+        }
+        before = advance;
+    }
+    return reason("the section that a yaw of %g rad removes is longer than the flange's root", yaw);
+}
+
+void thesis_profile(const double *y, const double *z, const double *slope, int64_t n, double position, double yaw,
+                    const struct thesis_cut *cut, double *ly, double *lz, double *lslope)
+{
+    double c = cos(yaw), dy = 0, dz = 0;
+
+    for (int64_t i = n - 1; i >= 0; i--) {
+        if (cut->dy > 0 && y[i] < cut->y && dy == 0) {
+            if (y[i] + cut->dy > cut->y) {                         /* removed */
+                ly[i] = ly[i + 1];
+                lz[i] = lz[i + 1];
+                lslope[i] = lslope[i + 1];
+                continue;
+            }
+            dy = cut->dy;
+            dz = cut->dz;
+        }
+        ly[i] = (position + y[i] + dy) * c;
+        lz[i] = z[i] - dz;
+        lslope[i] = slope[i] / c;
+    }
+}
+
+void thesis_invert(double y, double z, double slope, double position, double radius, double yaw, const struct thesis_cut *cut,
+                   struct locus_point *p)
+{
+    double c = cos(yaw), beyond = y / c - position < cut->y && cut->dy > 0;
+
+    p->a = y / c - beyond * cut->dy;
+    p->r = radius + z + beyond * cut->dz;
+    p->rate = slope * c;
+    p->turn = 0;
+    p->x = -p->a * sin(yaw);
+}
+
+/* The leading wheelset of a bogie at one rail, the trailing one at the other. */
+double thesis_yaw(double clearance)
+{
+    return 2 * clearance / BASE;
+}

@@ -1,0 +1,35 @@
+/* A yawed wheel after Lau (doctoral thesis, NTNU 2018:210, section 2.3), the method `thesis`: the profile itself, turned in two
+ * dimensions, without the short section between tread and flange contact that yaw makes the rail pass over.
+ *
+ * x forward, y to the right, z down, of a right wheel, whose flange has negative y.  a, the coordinate along the axle, counts from the
+ * wheelset's centre, about which it yaws; z from the running circle's lowest point. */
+#ifndef VX_CONTACT_THESIS_H
+#define VX_CONTACT_THESIS_H
+
+#include <stdint.h>
+
+#include "tools/contact/locus.h"
+
+/* The section removed; zeroed, none. */
+struct thesis_cut {
+    double y;          /* m, in the wheel's profile axes: its end at the tread */
+    double dy, dz;     /* m, what lies beyond it moves dy out to the rail and dz up to close the profile */
+};
+
+/* The section to be removed from points y, z (m, profile axes, y increasing) and slopes [n] at this rolling radius (m) and yaw (rad). */
+const char *thesis_section(const double *y, const double *z, const double *slope, int64_t n, double radius, double yaw,
+                           struct thesis_cut *cut);
+
+/* The profile turned by yaw, its origin at `position` (m) on the axle, and closed over the cut, into ly, lz (m) and lslope [n] as of
+ * locus_silhouette.  Points of the section removed all fall on its end at the tread. */
+void thesis_profile(const double *y, const double *z, const double *slope, int64_t n, double position, double yaw,
+                    const struct thesis_cut *cut, double *ly, double *lz, double *lslope);
+
+/* The wheel's point that appears at y, z with this slope in that profile. */
+void thesis_invert(double y, double z, double slope, double position, double radius, double yaw, const struct thesis_cut *cut,
+                   struct locus_point *p);
+
+/* Largest yaw (rad) of a wheelset that moves by `clearance` (m) to either side before a flange touches: rad. */
+double thesis_yaw(double clearance);
+
+#endif
