@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "formats/reason.h"
+#include "formats/room.h"
 
 #define EVEN 1e-6        /* of a step: how far an evenly spaced axis may be off */
 
@@ -23,8 +24,11 @@ const struct ctab_column_info ctab_columns[CTAB_N] = {
     [CTAB_HERTZ_A] = {"hertz_a", "m/N^(1/3)"},
     [CTAB_HERTZ_B] = {"hertz_b", "m/N^(1/3)"},
     [CTAB_HEIGHT_U] = {"height_u", "1"},
+    [CTAB_HEIGHT_YAW] = {"height_yaw", "m/rad"},
+    [CTAB_HEIGHT_S] = {"height_s", "1"},
     [CTAB_HEIGHT_ROLL] = {"height_roll", "m/rad"},
     [CTAB_ROLL_Y] = {"roll_y", "m/rad"},
+    [CTAB_SHAPE] = {"shape", "1"},
     [CTAB_BODY] = {"body", "1"},
 };
 
@@ -82,44 +86,88 @@ static const char *read_keys(struct ctab *t, const struct vxf *f)
     return NULL;
 }
 
+const float *ctab_node(const struct ctab *t, int64_t station, int64_t yaw, int64_t u, int *count)
+{
+    int64_t node = (station * t->yaws + yaw) * t->us + u;
+
+    *count = t->first[node + 1] - t->first[node];
+    return t->row + (int64_t)t->first[node] * CTAB_N;
+}
+
+static int64_t nodes(const struct ctab *t)
+{
+    return t->stations * t->yaws * t->us;
+}
+
+static const char *check_first(const struct ctab *t)
+{
+    for (int64_t i = 0; i < nodes(t); i++)
+        if (t->first[i + 1] < t->first[i] || t->first[i + 1] > t->first[i] + CTAB_MOST)
+            return reason("array first: node %lld has %d rows, must be 0 to %d", (long long)i, t->first[i + 1] - t->first[i], CTAB_MOST);
+    if (t->first[0] != 0 || t->first[nodes(t)] != t->rows)
+        return reason("array first: runs from %d to %d, must be 0 to %lld", t->first[0], t->first[nodes(t)], (long long)t->rows);
+    return NULL;
+}
+
+/* The links along one axis from the rows of a node to the next, which holds `held` rows. */
+static const char *check_links(const struct ctab *t, int64_t node, enum ctab_link axis, int held)
+{
+    for (int64_t r = t->first[node]; r < t->first[node + 1]; r++)
+        if (t->link[r * CTAB_LINKS + axis] > held)
+            return reason("array link: row %lld goes on in row %d of a node that holds %d", (long long)r, t->link[r * CTAB_LINKS + axis],
+                          held);
+    return NULL;
+}
+
+static const char *check_all_links(const struct ctab *t)
+{
+    const char *why = NULL;
+    int64_t node = 0;
+
+    for (int64_t is = 0; is < t->stations; is++)
+        for (int64_t iy = 0; iy < t->yaws; iy++)
+            for (int64_t iu = 0; iu < t->us && !why; iu++, node++) {
+                int u = 0, yaw = 0, station = 0;
+                if (iu + 1 < t->us)
+                    ctab_node(t, is, iy, iu + 1, &u);
+                if (iy + 1 < t->yaws)
+                    ctab_node(t, is, iy + 1, iu, &yaw);
+                if (is + 1 < t->stations)
+                    ctab_node(t, is + 1, iy, iu, &station);
+                if (!(why = check_links(t, node, CTAB_LINK_U, u)) && !(why = check_links(t, node, CTAB_LINK_YAW, yaw)))
+                    why = check_links(t, node, CTAB_LINK_STATION, station);
+            }
+    return why;
+}
+
 const char *ctab_read(struct ctab *t, const struct vxf *f)
 {
-    const void *station, *yaw, *u, *count, *contact;
     const char *why;
 
-    *t = (struct ctab){.stations = -1, .yaws = -1, .us = -1, .slots = -1};
+    *t = (struct ctab){.stations = -1, .yaws = -1, .us = -1, .rows = -1};
     if ((why = vxf_is(f, "ctab")) || (why = read_keys(t, f)) || (why = check_columns(f)) ||
-        (why = vxf_get(f, "station", VXF_F64, "m", 1, &t->stations, &station)) ||
-        (why = vxf_get(f, "yaw", VXF_F64, "rad", 1, &t->yaws, &yaw)) ||
-        (why = vxf_get(f, "u", VXF_F64, "m", 1, &t->us, &u)))
+        (why = vxf_get(f, "station", VXF_F64, "m", 1, &t->stations, (const void **)&t->station)) ||
+        (why = vxf_get(f, "yaw", VXF_F64, "rad", 1, &t->yaws, (const void **)&t->yaw)) ||
+        (why = vxf_get(f, "u", VXF_F64, "m", 1, &t->us, (const void **)&t->u)))
         return why;
-    if (t->stations < 1 || t->yaws < 1 || t->us < 2)
-        return reason("needs a station, a yaw and two u, has %lld, %lld and %lld", (long long)t->stations, (long long)t->yaws,
-                      (long long)t->us);
-    int64_t node[3] = {t->stations, t->yaws, t->us};
-    int64_t row[5] = {t->stations, t->yaws, t->us, -1, CTAB_N};
-    if ((why = check_axis("station", station, t->stations, 0)) || (why = check_axis("yaw", yaw, t->yaws, 1)) ||
-        (why = check_axis("u", u, t->us, 1)) || (why = vxf_get(f, "count", VXF_U8, "1", 3, node, &count)) ||
-        (why = vxf_get(f, "contact", VXF_F64, "mixed", 5, row, &contact)))
+    if (t->stations < 1 || t->yaws < 1 || t->us < 2 || t->stations > INT32_MAX / CTAB_MOST / t->yaws / t->us)
+        return reason("needs a station, a yaw and two u, and no more than int32 rows; has %lld, %lld and %lld", (long long)t->stations,
+                      (long long)t->yaws, (long long)t->us);
+    int64_t firsts = nodes(t) + 1, row[2] = {-1, CTAB_N}, link[2] = {-1, CTAB_LINKS};
+    if ((why = check_axis("station", t->station, t->stations, 0)) || (why = check_axis("yaw", t->yaw, t->yaws, 1)) ||
+        (why = check_axis("u", t->u, t->us, 1)) ||
+        (why = vxf_get(f, "first", VXF_I32, "1", 1, &firsts, (const void **)&t->first)) ||
+        (why = vxf_get(f, "contact", VXF_F32, "mixed", 2, row, (const void **)&t->row)))
         return why;
-    t->slots = row[3];
-    if (t->slots < 1 || t->slots > CTAB_SLOTS)
-        return reason("array contact: %lld slots, must be 1 to %d", (long long)t->slots, CTAB_SLOTS);
-    t->station = station;
-    t->yaw = yaw;
-    t->u = u;
-    t->count = count;
-    t->contact = contact;
-    for (int64_t i = 0; i < t->stations * t->yaws * t->us; i++)
-        if (t->count[i] > t->slots)
-            return reason("array count: %d at %lld, but there are %lld slots", t->count[i], (long long)i, (long long)t->slots);
+    t->rows = link[0] = row[0];
+    if ((why = vxf_get(f, "link", VXF_U8, "1", 2, link, (const void **)&t->link)) || (why = check_first(t)) || (why = check_all_links(t)))
+        return why;
     return NULL;
 }
 
 const char *ctab_put(const struct ctab *t, struct vxf_out *o)
 {
-    const int64_t node[3] = {t->stations, t->yaws, t->us};
-    const int64_t row[5] = {t->stations, t->yaws, t->us, t->slots, CTAB_N};
+    const int64_t firsts = nodes(t) + 1, row[2] = {t->rows, CTAB_N}, link[2] = {t->rows, CTAB_LINKS};
 
     vxf_put_key(o, "SIDE", "%c", t->side);
     vxf_put_key(o, "YAW_METHOD", "%s", t->yaw_method);
@@ -133,13 +181,15 @@ const char *ctab_put(const struct ctab *t, struct vxf_out *o)
     vxf_put(o, "station", VXF_F64, "m", 1, &t->stations, t->station);
     vxf_put(o, "yaw", VXF_F64, "rad", 1, &t->yaws, t->yaw);
     vxf_put(o, "u", VXF_F64, "m", 1, &t->us, t->u);
-    vxf_put(o, "count", VXF_U8, "1", 3, node, t->count);
-    vxf_put(o, "contact", VXF_F64, "mixed", 5, row, t->contact);
+    vxf_put(o, "first", VXF_I32, "1", 1, &firsts, t->first);
+    vxf_put(o, "contact", VXF_F32, "mixed", 2, row, t->row);
+    vxf_put(o, "link", VXF_U8, "1", 2, link, t->link);
     return o->why;
 }
 
 void ctab_free(struct ctab *t)
 {
-    free(t->store);
+    room_release(&t->store);
+    free(t->row_store);
     *t = (struct ctab){0};
 }

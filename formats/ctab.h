@@ -2,8 +2,9 @@
  *
  * Track axes: x forward, y to the right, z down; displacement and yaw have the same sign on both sides.
  * u is the wheel's lateral displacement at rail level against its rail (axle's y minus roll times r0, minus the
- * rail's), yaw that of the wheelset about z.  For each local minimum of the gap a node (station, yaw, u) holds a row of
- * CTAB_N numbers in a slot, the first to touch first; slots from count[node] on are zero. */
+ * rail's).  The station is that of the wheel's own centre: the wheelset's less wheel_position sin(yaw).  A node (station, yaw, u) holds a
+ * row of CTAB_N numbers for each local minimum of the gap, the first to touch first.  A row's links name the rows of the neighbouring
+ * nodes that continue the same contact; interpolation goes along them. */
 #ifndef VX_FORMATS_CTAB_H
 #define VX_FORMATS_CTAB_H
 
@@ -24,13 +25,19 @@ enum ctab_column {
     CTAB_HERTZ_A,     /* m/N^(1/3), longitudinal semi-axis a = A N^(1/3) */
     CTAB_HERTZ_B,     /* m/N^(1/3), lateral semi-axis */
     CTAB_HEIGHT_U,    /* 1, derivative of the height by u: the slope of the contact plane */
+    CTAB_HEIGHT_YAW,  /* m/rad, by yaw */
+    CTAB_HEIGHT_S,    /* 1, by station: the rail's fall where it is touched */
     CTAB_HEIGHT_ROLL, /* m/rad, derivative of the height by roll of the wheelset at fixed u */
     CTAB_ROLL_Y,      /* m/rad, derivative of the contact point's y by roll of the wheelset at fixed u */
+    CTAB_SHAPE,       /* 1, how far the gap is from the parabola of Hertz, 0 where it is one */
     CTAB_BODY,        /* number of the rail body in the .prof, from 0 */
     CTAB_N
 };
 
-enum { CTAB_SLOTS = 8 };    /* most contacts a node may hold */
+enum { CTAB_MOST = 8 };     /* contacts a node may hold */
+
+/* To the next node along each axis. */
+enum ctab_link { CTAB_LINK_U, CTAB_LINK_YAW, CTAB_LINK_STATION, CTAB_LINKS };
 
 struct ctab_column_info { const char *name, *unit; };
 extern const struct ctab_column_info ctab_columns[CTAB_N];
@@ -43,14 +50,19 @@ struct ctab {
     double radius;              /* m, nominal rolling radius r0 */
     double rail_position;       /* m, y of the rail's profile origin in track axes */
     double wheel_position;      /* m, y of the running circle in track axes, wheelset centred */
-    int64_t stations, yaws, us, slots;
+    int64_t stations, yaws, us, rows;
     const double *station;      /* m [stations] increasing; one station is the same everywhere */
     const double *yaw;          /* rad [yaws] increasing, evenly spaced; one is yaw 0 */
     const double *u;            /* m [us] increasing, evenly spaced */
-    const uint8_t *count;       /* [stations][yaws][us] contacts held, 0 where none */
-    const double *contact;      /* [stations][yaws][us][slots][CTAB_N], units by column */
-    void *store;                /* what ctab_free releases; NULL where the arrays belong to a file */
+    const int32_t *first;       /* [stations][yaws][us], and one more: the node's first row, its last is before the next node's first */
+    const float *row;           /* [rows][CTAB_N], units by column */
+    const uint8_t *link;        /* [rows][CTAB_LINKS] 1 + which of the next node's rows goes on with this contact, 0 none */
+    void *store;                /* room.h, and the rows: what ctab_free releases; NULL where the arrays belong to a file */
+    float *row_store;
 };
+
+/* Rows [*count][CTAB_N] of a node, the first to touch first. */
+const float *ctab_node(const struct ctab *t, int64_t station, int64_t yaw, int64_t u, int *count);
 
 const char *ctab_read(struct ctab *t, const struct vxf *f);
 const char *ctab_put(const struct ctab *t, struct vxf_out *o);

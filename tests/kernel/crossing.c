@@ -117,7 +117,7 @@ struct path {
 static void path_search(const struct search *s, const double *station, int64_t is, double u, struct path *p)
 {
     struct search_contact c[SEARCH_MOST];
-    int n = search_contacts(s, 0, lrint(u / s->step), c);
+    int n = search_contacts(s, 0, lrint(u / s->gap.step), c);
     double distance = fmax(plan_separation(&plan, station[is]) + text.turnout.wing.flangeway, 0);
 
     p->wing[is] = p->nose[is] = INFINITY;

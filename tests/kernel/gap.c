@@ -6,8 +6,18 @@
 #define STEP 1e-4
 enum { N = 2001 };
 
-static double y[N], z[N], slope[N], k[N];
-static double store[2][3][2 * N];
+static double y[N], z[N], slope[N], k[N], along[N], wheel_reach[N], work[2 * N];
+static double store[2][GAP_ARRAYS][2 * N];
+static const struct gap_search search = {.step = STEP, .apart = 4e-3, .work = work};
+
+/* The first n points of the arrays above, tabulated into curve i. */
+static struct gap_curve curve(int i, int n)
+{
+    struct gap_curve c = {.z = store[i][0], .slope = store[i][1], .k = store[i][2], .along = store[i][3], .rate = store[i][4], .reach = store[i][5]};
+
+    gap_tabulate(&(struct gap_line){n, y, z, slope, k, along, wheel_reach}, STEP, &c);
+    return c;
+}
 
 /* Tabulates z = c -+ sqrt(R^2 - (y - at)^2) over at +- half, sampled at odd places, into curve i. */
 static struct gap_curve arc(int i, double at, double bottom, double R, int sign, double half)
@@ -20,9 +30,7 @@ static struct gap_curve arc(int i, double at, double bottom, double R, int sign,
         slope[j] = -sign * d / root;
         k[j] = -sign / R;
     }
-    struct gap_curve c = {.z = store[i][0], .slope = store[i][1], .k = store[i][2]};
-    gap_tabulate(y, z, slope, k, n, STEP, &c);
-    return c;
+    return curve(i, n);
 }
 
 /* A wheel of transverse radius r over a rail arc whose top is at 0, both centred; they touch on the line of centres. */
@@ -37,7 +45,7 @@ static void two_circles(const char *what, double rail_radius, int rail_sign, dou
         double d = offset + shift * STEP;
         /* The rail's centre lies R below its top (R < 0 in a groove), the wheel's r above its lowest point. */
         double R = -rail_sign * rail_radius, reach = R + r, touch = reach - (reach > 0 ? 1 : -1) * sqrt(reach * reach - d * d);
-        int n = gap_minima(&rail, &wheel, shift, STEP, 4e-3, 0, m, 4);
+        int n = gap_minima(&search, &rail, &wheel, shift, 0, m, 4);
         snprintf(text, sizeof text, "%s, shifted %d nodes: one minimum", what, shift);
         if (!ok(n == 1, "%s", text))
             continue;
@@ -60,7 +68,7 @@ int main(void)
     two_circles("circle in groove", 0.1, 1, 0.08, 0.411e-3);
 
     struct gap_curve plane = arc(0, 0, 0, 1e9, -1, 0.03), wheel = arc(1, 0, 0, 0.1, 1, 0.02);
-    int n = gap_minima(&plane, &wheel, 37, STEP, 4e-3, 0, m, 4);
+    int n = gap_minima(&search, &plane, &wheel, 37, 0, m, 4);
     ok(n == 1 && fabs(m[0].y - 37 * STEP) < 1e-9 && fabs(m[0].gap) < 1e-12, "circle on plane: touches below its centre");
 
     /* Rail z = h (1 - cos(2 pi y/L)): crests at multiples of L, the wheel nearly flat. */
@@ -73,16 +81,15 @@ int main(void)
             slope[j] = h * 2 * M_PI / L * sin(2 * M_PI * x / L);
             k[j] = 0;
         }
-        struct gap_curve rail = {.z = store[0][0], .slope = store[0][1], .k = store[0][2]};
-        gap_tabulate(y, z, slope, k, 601, STEP, &rail);
+        struct gap_curve rail = curve(0, 601);
         wheel = arc(1, 0, 0, 30, 1, 0.02);
-        n = gap_minima(&rail, &wheel, 0, STEP, 4e-3, 0, m, 12);
+        n = gap_minima(&search, &rail, &wheel, 0, 0, m, 12);
         if (pass)
             ok(n < 11, "crests 3 mm apart are joined (%d of 11)", n);
         else
             ok(n == 5 && fabs(m[2].y) < 1e-9 && fabs(m[1].y + m[3].y) < 1e-9, "crests 6 mm apart: each a minimum");
         if (!pass) {
-            n = gap_minima(&rail, &wheel, 0, STEP, 4e-3, 0, m, 2);
+            n = gap_minima(&search, &rail, &wheel, 0, 0, m, 2);
             ok(n == 2 && (fabs(m[0].y) < 1e-9 || fabs(m[1].y) < 1e-9), "room for two: the lowest stay");
         }
     }
@@ -90,21 +97,25 @@ int main(void)
     /* A rail that ends left of the wheel's lowest point. */
     struct gap_curve rail = arc(0, -0.02, 0, 1e9, -1, 0.01);
     wheel = arc(1, 0, 0, 0.1, 1, 0.03);
-    ok(gap_minima(&rail, &wheel, 0, STEP, 4e-3, GAP_LEFT_END, m, 4) == 0, "an end that does not count gives no contact");
-    n = gap_minima(&rail, &wheel, 0, STEP, 4e-3, GAP_RIGHT_END, m, 4);
+    ok(gap_minima(&search, &rail, &wheel, 0, GAP_LEFT_END, m, 4) == 0, "an end that does not count gives no contact");
+    n = gap_minima(&search, &rail, &wheel, 0, GAP_RIGHT_END, m, 4);
     ok(n == 1 && m[0].end, "an end that counts gives one");
     near(m[0].y, -0.01, 1e-12, "at the end");
     near(m[0].gap, 0.1 - sqrt(0.01 - 1e-4), 1e-12, "as high as the wheel is there");
     near(m[0].slope, 0.01 / sqrt(0.01 - 1e-4), 1e-9, "with the wheel's slope");
 
-    ok(gap_minima(&rail, &wheel, 900, STEP, 4e-3, 3, m, 4) == 0, "a wheel beside the rail touches nothing");
+    ok(gap_minima(&search, &rail, &wheel, 900, 3, m, 4) == 0, "a wheel beside the rail touches nothing");
 
     /* A polyline that turns back, as a folded silhouette: the lowest piece is kept. */
-    double fy[4] = {0, 2e-3, 1e-3, 3e-3}, fz[4] = {0, -1e-3, 0, 1e-3}, fs[4] = {-0.5, -0.5, 0.5, 0.5}, fk[4] = {0};
-    gap_tabulate(fy, fz, fs, fk, 4, STEP, &rail);
-    ok(rail.n == 31 && fabs(rail.z[15] - 0.25e-3) < 1e-12 && fabs(rail.z[5] + 0.25e-3) < 1e-12, "a fold keeps its lowest branch");
-    double gz[4] = {0, 1e-3, 0, -1e-3}, gs[4] = {0.5, 0.5, -0.5, -0.5};
-    gap_tabulate(fy, gz, gs, fk, 4, STEP, &rail);
-    ok(rail.n == 31 && fabs(rail.z[15] - 0.75e-3) < 1e-12 && fabs(rail.z[25] + 0.75e-3) < 1e-12, "whichever piece comes first");
+    static const double fold[4][3] = {{0, 0, -0.5}, {2e-3, -1e-3, -0.5}, {1e-3, 0, 0.5}, {3e-3, 1e-3, 0.5}};
+    for (int sign = 1; sign >= -1; sign -= 2) {
+        for (int j = 0; j < 4; j++)
+            y[j] = fold[j][0], z[j] = sign * fold[j][1], slope[j] = sign * fold[j][2];
+        rail = curve(0, 4);
+        if (sign > 0)
+            ok(rail.n == 31 && fabs(rail.z[15] - 0.25e-3) < 1e-12 && fabs(rail.z[5] + 0.25e-3) < 1e-12, "a fold keeps its lowest branch");
+        else
+            ok(rail.n == 31 && fabs(rail.z[15] - 0.75e-3) < 1e-12 && fabs(rail.z[25] + 0.75e-3) < 1e-12, "whichever piece comes first");
+    }
     return done();
 }

@@ -33,16 +33,13 @@ static void at_nodes(const struct ctab *t)
     int same = 1;
     for (int64_t iy = 0; iy < t->yaws; iy++)
         for (int64_t iu = 0; iu < t->us; iu++) {
-            int64_t node = iy * t->us + iu;
-            int n = contact_lookup(t, 0, t->yaw[iy], t->u[iu], 0, c);
-            int held = 0;
+            int n = contact_lookup(t, 0, t->yaw[iy], t->u[iu], 0, c), held = 0, count;
+            const float *row = ctab_node(t, 0, iy, iu, &count);
             for (int i = 0; i < n; i++)
                 held += c[i].weight > 1e-9;                      /* rounding may let a neighbour in with less */
-            same &= held == t->count[node];
-            for (int i = 0; i < CTAB_N && held > 0; i++) {
-                double row = t->contact[node * t->slots * CTAB_N + i];
-                worst = fmax(worst, fabs(c[0].row[i] - row) / (1 + fabs(row)));
-            }
+            same &= held == count;
+            for (int i = 0; i < CTAB_N && held > 0; i++)
+                worst = fmax(worst, fabs(c[0].row[i] - row[i]) / (1 + fabs(row[i])));
         }
     ok(same, "as many contacts at a node as it holds");
     ok(worst < 1e-8, "at a node the row of the node (%.1e)", worst);

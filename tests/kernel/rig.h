@@ -32,8 +32,10 @@ enum { RIG_US = 3 };
 
 struct rig_table {
     struct ctab ctab;
-    double station[1], yaw[1], u[RIG_US], contact[RIG_US][CTAB_N];
-    uint8_t count[RIG_US];
+    double station[1], yaw[1], u[RIG_US];
+    float row[RIG_US][CTAB_N];
+    int32_t first[RIG_US + 1];
+    uint8_t link[RIG_US * CTAB_LINKS];
 };
 
 /* A plane under contact angle g, rail and running circle at y = +-0.75 m. */
@@ -43,21 +45,23 @@ static inline void rig_table(struct rig_table *t, char side, double g)
 
     memset(t, 0, sizeof *t);
     for (int i = 0; i < RIG_US; i++) {
-        double u = RIG_REACH * (i - 1), *row = t->contact[i];
+        double u = RIG_REACH * (i - 1);
+        float *row = t->row[i];
         t->u[i] = u;
-        t->count[i] = 1;
-        row[CTAB_HEIGHT] = row[CTAB_RAIL_Z] = u * tan(g);
-        row[CTAB_RAIL_Y] = u;
-        row[CTAB_ANGLE] = g;
-        row[CTAB_RADIUS] = 0.46;
-        row[CTAB_HERTZ_C] = RIG_HERTZ_C;
-        row[CTAB_HERTZ_A] = RIG_HERTZ_A;
-        row[CTAB_HERTZ_B] = RIG_HERTZ_B;
-        row[CTAB_HEIGHT_U] = tan(g);
+        t->first[i + 1] = i + 1;
+        t->link[i * CTAB_LINKS + CTAB_LINK_U] = i + 1 < RIG_US;
+        row[CTAB_HEIGHT] = row[CTAB_RAIL_Z] = (float)(u * tan(g));
+        row[CTAB_RAIL_Y] = (float)u;
+        row[CTAB_ANGLE] = (float)g;
+        row[CTAB_RADIUS] = 0.46f;
+        row[CTAB_HERTZ_C] = (float)RIG_HERTZ_C;
+        row[CTAB_HERTZ_A] = (float)RIG_HERTZ_A;
+        row[CTAB_HERTZ_B] = (float)RIG_HERTZ_B;
+        row[CTAB_HEIGHT_U] = (float)tan(g);
     }
     t->ctab = (struct ctab){.side = side, .yaw_method = "none", .shear_modulus = 82e9, .poisson = 0.28, .radius = 0.46,
-                            .rail_position = position, .wheel_position = position, .stations = 1, .yaws = 1, .us = RIG_US, .slots = 1,
-                            .station = t->station, .yaw = t->yaw, .u = t->u, .count = t->count, .contact = t->contact[0]};
+                            .rail_position = position, .wheel_position = position, .stations = 1, .yaws = 1, .us = RIG_US, .rows = RIG_US,
+                            .station = t->station, .yaw = t->yaw, .u = t->u, .first = t->first, .row = t->row[0], .link = t->link};
 }
 
 /* set: [sets] "key=value". */

@@ -5,6 +5,7 @@
 #include "tests/kernel/tap.h"
 
 static const double v = 22;
+#define ROW 2e-7 /* relative: a table's rows are f32 */
 
 /* The right wheel over a plane of contact angle g, its running circle `below` metres deeper than first touch, rolling freely. */
 static struct wheel_input over_plane(struct rig_table *t, double g, double below)
@@ -52,31 +53,31 @@ static void normal_law(double g)
     double N = RIG_HERTZ_C * pow(1e-4 * cos(g), 1.5);
 
     printf("# contact angle %g\n", g);
-    near(o.patch[0].N / N, 1, 1e-12, "N = C d^1.5");
-    near(o.Q / N, cos(g), 1e-12, "Q = N cos g");
-    near(o.Y / N, -sin(g), 1e-12, "Y = -N sin g");
+    near(o.patch[0].N / N, 1, ROW, "N = C d^1.5");
+    near(o.Q / N, cos(g), ROW, "Q = N cos g");
+    near(o.Y / N, -sin(g), ROW, "Y = -N sin g");
     near(o.force[2], -o.Q, 0, "the wheel feels the opposite");
     near(o.force[1], -o.Y, 0, "sideways too");
 
     law.hertz_damping = 0.2;
     in.vz = 0.1;
     o = force(&law, &in, &memory);
-    near(o.patch[0].N / N, 1 + 0.2 * 0.1 * cos(g), 1e-12, "damping with the rate of approach");
+    near(o.patch[0].N / N, 1 + 0.2 * 0.1 * cos(g), ROW, "damping with the rate of approach");
     in.vz = -100;
     ok(force(&law, &in, &memory).patches == 0, "which does not pull");
 
     law = linear();
     in.vz = 0.1;
     o = force(&law, &in, &memory);
-    near(o.patch[0].N, (137e6 * 1e-4 + 28e3 * 0.1) * cos(g), 1e-6, "linear law: k d + c d'");
+    near(o.patch[0].N, (137e6 * 1e-4 + 28e3 * 0.1) * cos(g), ROW * o.patch[0].N, "linear law: k d + c d'");
     in.vz = 0;
     in.y = 2e-3; /* u = 2 mm, so the plane lies u tan g deeper */
     o = force(&law, &in, &memory);
-    near(o.patch[0].N, 137e6 * fmax(0, 1e-4 - 2e-3 * tan(g)) * cos(g), 1e-6, "sideways the wheel leaves a plane that falls away");
+    near(o.patch[0].N, 137e6 * fmax(0, 1e-4 - 2e-3 * tan(g)) * cos(g), ROW * o.patch[0].N, "sideways the wheel leaves a plane that falls away");
     in.y = 0;
     in.vy = 0.05;
     o = force(&law, &in, &memory);
-    near(o.patch[0].N, (137e6 * 1e-4 - 28e3 * 0.05 * tan(g)) * cos(g), 1e-6, "and moving so opens it");
+    near(o.patch[0].N, (137e6 * 1e-4 - 28e3 * 0.05 * tan(g)) * cos(g), ROW * o.patch[0].N, "and moving so opens it");
 }
 
 static void separation(void)
@@ -132,9 +133,9 @@ static void what_moves(void)
     in = over_plane(&t, 0.3, 1e-4);
     in.y = 1e-3;
     in.rail_y = 1e-3;
-    near(force(&law, &in, &memory).patch[0].N, N * cos(0.3), 1e-6, "a rail that moves with its wheel is no nearer");
+    near(force(&law, &in, &memory).patch[0].N, N * cos(0.3), ROW * N, "a rail that moves with its wheel is no nearer");
     in.vy = in.rail_vy = 0.05;
-    near(force(&law, &in, &memory).patch[0].N, N * cos(0.3), 1e-6, "nor comes nearer");
+    near(force(&law, &in, &memory).patch[0].N, N * cos(0.3), ROW * N, "nor comes nearer");
     near(force(&law, &in, &memory).Mx, 0.751 * force(&law, &in, &memory).Q, 1e-6, "but its moment is that of where it stands");
 }
 
@@ -160,7 +161,7 @@ static void compliance(void)
         *(d < s * C * pow(1e-4 - d, 1.5) ? &low : &high) = d;
     }
     near(force(&law, &in, &memory).Q / (low / s), 1, 1e-8, "Hertz's spring in series");
-    near(memory.local, low, 1e-13, "found by Newton's method from rest");
+    near(memory.local, low, ROW * low, "found by Newton's method from rest");
 
     /* The damper sees the rate of the local deflection too: implicitly, so that a lasting state has no rate. */
     law = linear();
@@ -203,24 +204,24 @@ static void creepage(void)
     near(o.patch[0].phi, 1 / 500.0, 1e-15, "and the wheel turns upon it: phi = 1/R");
     in = over_plane(&t, -0.05, 1e-4);
     o = force(&law, &in, &memory);
-    near(o.patch[0].phi, -sin(0.05) / 0.46, 1e-12, "spin of a cone: sin g/r0");
+    near(o.patch[0].phi, -sin(0.05) / 0.46, ROW, "spin of a cone: sin g/r0");
     in.vyaw = 0.3;
-    near(force(&law, &in, &memory).patch[0].phi, -sin(0.05) / 0.46 + 0.3 * cos(0.05) / v, 1e-12, "and of yawing");
+    near(force(&law, &in, &memory).patch[0].phi, -sin(0.05) / 0.46 + 0.3 * cos(0.05) / v, ROW, "and of yawing");
     in = over_plane(&t, 0, 1e-4);
     in.vroll = 0.01;
     o = force(&law, &in, &memory);
     near(o.patch[0].eta, -0.01 * (0.46 - 1e-4) / v, 1e-15, "rolling over to the right moves the contact to the left");
     in = over_plane(&t, 0.3, 1e-4);
     in.vz = 0.02;
-    near(force(&law, &in, &memory).patch[0].eta, 0.02 * sin(0.3) / v, 1e-15, "sinking slides down an inclined plane");
+    near(force(&law, &in, &memory).patch[0].eta, 0.02 * sin(0.3) / v, ROW, "sinking slides down an inclined plane");
     in.rail_slope = 0.02 / v;
     near(force(&law, &in, &memory).patch[0].eta, 0, 1e-15, "but a wheel that follows a falling rail only rolls");
     in = over_plane(&t, 0.3, 1e-4);
     in.rail_v = 0.02;
-    near(force(&law, &in, &memory).patch[0].eta, -0.02 * sin(0.3) / v, 1e-15, "a sinking rail slides the other way");
+    near(force(&law, &in, &memory).patch[0].eta, -0.02 * sin(0.3) / v, ROW, "a sinking rail slides the other way");
     in = over_plane(&t, 0.3, 1e-4);
     in.rail_vy = 0.02;
-    near(force(&law, &in, &memory).patch[0].eta, -0.02 * cos(0.3) / v, 1e-15, "and one that moves to the right is left behind");
+    near(force(&law, &in, &memory).patch[0].eta, -0.02 * cos(0.3) / v, ROW, "and one that moves to the right is left behind");
 }
 
 /* Force and moment about the centre are those of T, N and spin moment at the contact: what r x F leaves points along the normal. */
@@ -240,12 +241,12 @@ static void moments(void)
                       o.moment[2] - (r[0] * F[1] - r[1] * F[0])};
     const struct wheel_patch *p = &o.patch[0];
 
-    near(left[0], 0, 1e-9, "no moment about x is left");
+    near(left[0], 0, ROW * o.Q, "no moment about x is left");
     ok(fabs(left[2]) > 1e-3, "the spin moment is (%.2f N m)", hypot(left[1], left[2]));
-    near(left[1] * cos(-0.2) + left[2] * sin(-0.2), 0, 1e-9, "along the normal");
-    near(o.Mx, y * o.Q - z * o.Y, 1e-9, "Mx: moment of Q and Y about the track axis");
-    near(o.Q, p->N * cos(-0.2) + p->ty * sin(-0.2), 1e-9, "Q of normal and creep force");
-    near(o.Y, -p->N * sin(-0.2) + p->ty * cos(-0.2), 1e-9, "Y of both");
+    near(left[1] * cos(-0.2) + left[2] * sin(-0.2), 0, ROW * o.Q, "along the normal");
+    near(o.Mx, y * o.Q - z * o.Y, ROW * o.Mx, "Mx: moment of Q and Y about the track axis");
+    near(o.Q, p->N * cos(-0.2) + p->ty * sin(-0.2), ROW * o.Q, "Q of normal and creep force");
+    near(o.Y, -p->N * sin(-0.2) + p->ty * cos(-0.2), ROW * o.Q, "Y of both");
     near(o.T, p->tx, 0, "T of the creep force");
 
     /* A turned axle takes its moment about itself: (-yaw, 1, roll). */
@@ -300,7 +301,12 @@ static void shares(void)
     struct wheel_input in = over_plane(&t, 0, 1e-4);
     double whole = force(&law, &in, &memory).Q;
 
-    t.count[1] = 0; /* the contact is missing at u = 0: at u = 4 mm of 20 the corner that has it weighs a fifth */
+    /* The contact is missing at u = 0: at u = 4 mm of 20 the corner that has it weighs a fifth. */
+    memcpy(t.row[1], t.row[2], sizeof t.row[1]);
+    t.first[2] = 1;
+    t.first[3] = 2;
+    t.ctab.rows = 2;
+    memset(t.link, 0, sizeof t.link);
     in.y = 4e-3;
     struct wheel_output o = force(&law, &in, &memory);
     near(o.Q / whole, 0.2, 1e-12, "a contact that fades out carries its share");

@@ -1,11 +1,8 @@
-/* Both curves are cubic Hermite polynomials between the same nodes, so their difference is one too: its minimum in a cell where the
- * slope changes from falling to rising is the root of a quadratic, to rounding and without iteration. */
+/* The gap is taken as a cubic Hermite polynomial between the nodes: its minimum in a cell where the slope changes from falling to rising
+ * is the root of a quadratic, to rounding and without iteration. */
 #include "tools/contact/gap.h"
 
 #include <math.h>
-#include <string.h>
-
-#define NO_NODE (-HUGE_VAL)   /* z of a node nothing covers */
 
 struct hermite { double z, slope; };
 
@@ -40,52 +37,42 @@ int64_t gap_nodes(const double *y, int64_t n, double step)
     return last >= first ? last - first + 1 : 0;
 }
 
-/* Moves the longest run of covered nodes to the front. */
-static void keep_run(struct gap_curve *c)
+/* The piece from point i to i + 1 onto the nodes it covers and lies lowest on. */
+static void tabulate_piece(const struct gap_line *l, int64_t i, double step, struct gap_curve *c)
 {
-    int64_t from = 0, length = 0;
+    double h = l->y[i + 1] - l->y[i], rate = (l->along[i + 1] - l->along[i]) / h;
+    int64_t end = (int64_t)floor(l->y[i + 1] / step);
 
-    for (int64_t i = 0, start = 0; i <= c->n; i++) {
-        if (i < c->n && c->z[i] != NO_NODE)
+    for (int64_t j = (int64_t)ceil(l->y[i] / step); j <= end; j++) {
+        double d = (double)j * step - l->y[i], t = d / h;
+        struct hermite p = hermite_at(l->z[i], l->slope[i], l->z[i + 1], l->slope[i + 1], h, t);
+        int64_t at = j - c->first;
+        if (!isnan(c->slope[at]) && p.z <= c->z[at])
             continue;
-        if (i - start > length) {
-            from = start;
-            length = i - start;
-        }
-        start = i + 1;
+        c->z[at] = p.z;
+        c->slope[at] = p.slope;
+        c->k[at] = l->k[i] + t * (l->k[i + 1] - l->k[i]);
+        c->along[at] = l->along[i] + d * rate;
+        c->rate[at] = rate;
+        if (l->reach)
+            c->reach[at] = l->reach[i] + t * (l->reach[i + 1] - l->reach[i]);
     }
-    memmove(c->z, c->z + from, (size_t)length * sizeof *c->z);
-    memmove(c->slope, c->slope + from, (size_t)length * sizeof *c->slope);
-    memmove(c->k, c->k + from, (size_t)length * sizeof *c->k);
-    c->first += from;
-    c->n = length;
 }
 
-void gap_tabulate(const double *y, const double *z, const double *slope, const double *k, int64_t n, double step, struct gap_curve *c)
+void gap_tabulate(const struct gap_line *line, double step, struct gap_curve *c)
 {
     int64_t last;
 
-    gap_range(y, n, step, &c->first, &last);
+    gap_range(line->y, line->n, step, &c->first, &last);
     c->n = last >= c->first ? last - c->first + 1 : 0;
     for (int64_t j = 0; j < c->n; j++)
-        c->z[j] = NO_NODE;
-    for (int64_t i = 0; i + 1 < n; i++) {
-        double h = y[i + 1] - y[i];
-        if (!(h > 0))
-            continue;
-        int64_t end = (int64_t)floor(y[i + 1] / step);
-        for (int64_t j = (int64_t)ceil(y[i] / step); j <= end; j++) {
-            double t = ((double)j * step - y[i]) / h;
-            struct hermite p = hermite_at(z[i], slope[i], z[i + 1], slope[i + 1], h, t);
-            int64_t at = j - c->first;
-            if (p.z > c->z[at]) {
-                c->z[at] = p.z;
-                c->slope[at] = p.slope;
-                c->k[at] = k[i] + t * (k[i + 1] - k[i]);
-            }
-        }
-    }
-    keep_run(c);
+        c->slope[j] = (double)NAN;
+    for (int64_t i = 0; i + 1 < line->n; i++)
+        if (line->y[i + 1] > line->y[i])
+            tabulate_piece(line, i, step, c);
+    c->level = 1;
+    for (int64_t i = 0; i < line->n; i++)
+        c->level &= line->along[i] == 0;
 }
 
 /* Where a cubic with end values g0, g1 and end slopes d0 < 0 <= d1 (all per cell) is least, in (0, 1]. */
@@ -121,60 +108,93 @@ static int keep(struct gap_minimum *m, int n, int most, double apart, const stru
     return n;
 }
 
-static void minimum_at(const struct gap_curve *r, const struct gap_curve *w, int64_t i, int64_t j, double step, double t,
-                       struct gap_minimum *m)
-{
-    struct hermite rail = {r->z[i], r->slope[i]}, wheel = {w->z[j], w->slope[j]};
+/* Rail from its node lo on, wheel from its node lo + off on. */
+struct overlap {
+    const struct gap_curve *r, *w;
+    int64_t lo, hi, off;
+};
 
-    m->rail_k = r->k[i];
-    m->wheel_k = w->k[j];
+/* d(gap)/dy at the nodes lo .. hi into d: z_r' - z_w' + e' X + e X' - R e e'.  R' is left out: R e^2 is small and R nearly constant. */
+static void gap_slopes(const struct overlap *o, double *restrict d)
+{
+    const double *rs = o->r->slope, *ws = o->w->slope + o->off;
+    const double *e = o->r->along, *e1 = o->r->rate;
+    const double *X = o->w->along + o->off, *X1 = o->w->rate + o->off, *R = o->w->reach + o->off;
+
+    for (int64_t i = o->lo; i <= o->hi; i++)
+        d[i] = rs[i] - ws[i];
+    if (o->r->level)
+        return;
+    for (int64_t i = o->lo; i <= o->hi; i++)
+        d[i] += e1[i] * (X[i] - R[i] * e[i]) + e[i] * X1[i];
+}
+
+static double gap_height(const struct overlap *o, int64_t i)
+{
+    int64_t j = i + o->off;
+    double e = o->r->along[i];
+
+    return o->r->z[i] - o->w->z[j] + e * (o->w->along[j] - 0.5 * o->w->reach[j] * e);
+}
+
+static double between(const double *a, double t)
+{
+    return t > 0 ? a[0] + t * (a[1] - a[0]) : a[0];
+}
+
+/* The minimum at t of the cell from node i on, or at the node itself; d are the gap's slopes. */
+static struct gap_minimum minimum_at(const struct overlap *o, const double *d, int64_t i, double step, double t)
+{
+    const struct gap_curve *r = o->r, *w = o->w;
+    struct hermite rail = {r->z[i], r->slope[i]}, gap = {gap_height(o, i), d[i]};
+    int64_t j = i + o->off;
+
     if (t > 0) {
         rail = hermite_at(r->z[i], r->slope[i], r->z[i + 1], r->slope[i + 1], step, t);
-        wheel = hermite_at(w->z[j], w->slope[j], w->z[j + 1], w->slope[j + 1], step, t);
-        m->rail_k += t * (r->k[i + 1] - r->k[i]);
-        m->wheel_k += t * (w->k[j + 1] - w->k[j]);
+        gap = hermite_at(gap.z, d[i], gap_height(o, i + 1), d[i + 1], step, t);
     }
-    m->y = ((double)(r->first + i) + t) * step;
-    m->gap = rail.z - wheel.z;
-    m->z = rail.z;
-    m->end = 0;
-    m->slope = rail.slope;
+    double e = between(r->along + i, t), x = between(w->along + j, t) - between(w->reach + j, t) * e;
+    return (struct gap_minimum){
+        .y = ((double)(r->first + i) + t) * step, .gap = gap.z, .x = x, .z = rail.z + e * x, .slope = rail.slope + between(r->rate + i, t) * x,
+        .fall = e, .rail_k = between(r->k + i, t), .wheel_k = between(w->k + j, t),
+    };
 }
 
-static void minimum_at_end(const struct gap_curve *r, const struct gap_curve *w, int64_t i, int64_t j, double step,
-                           struct gap_minimum *m)
+static struct gap_minimum minimum_at_end(const struct overlap *o, const double *d, int64_t i, double step)
 {
-    minimum_at(r, w, i, j, step, 0, m);
-    m->slope = w->slope[j];
-    m->end = 1;
+    struct gap_minimum m = minimum_at(o, d, i, step, 0);
+
+    m.slope -= d[i];
+    m.end = 1;
+    return m;
 }
 
-int gap_minima(const struct gap_curve *rail, const struct gap_curve *wheel, int64_t shift, double step, double apart, int ends,
+int gap_minima(const struct gap_search *s, const struct gap_curve *rail, const struct gap_curve *wheel, int64_t shift, int ends,
                struct gap_minimum *m, int most)
 {
-    int64_t off = rail->first - wheel->first - shift;             /* wheel's index of rail's index 0 */
-    int64_t lo = off < 0 ? -off : 0;
-    int64_t hi = rail->n - 1 < wheel->n - 1 - off ? rail->n - 1 : wheel->n - 1 - off;
-    const double *rs = rail->slope, *ws = wheel->slope;
+    struct overlap o = {.r = rail, .w = wheel, .off = rail->first - wheel->first - shift};    /* wheel's index of rail's 0 */
     struct gap_minimum one;
+    double *d = s->work;
     int n = 0;
 
-    if (lo >= hi)
+    o.lo = o.off < 0 ? -o.off : 0;
+    o.hi = rail->n - 1 < wheel->n - 1 - o.off ? rail->n - 1 : wheel->n - 1 - o.off;
+    if (o.lo >= o.hi)
         return 0;
-    if (ends & GAP_LEFT_END && lo == 0 && rs[lo] > ws[lo + off]) {
-        minimum_at_end(rail, wheel, lo, lo + off, step, &one);
-        n = keep(m, n, most, apart, &one);
+    gap_slopes(&o, d);
+    if (ends & GAP_LEFT_END && o.lo == 0 && d[0] > 0) {
+        one = minimum_at_end(&o, d, 0, s->step);
+        n = keep(m, n, most, s->apart, &one);
     }
-    for (int64_t i = lo, j = lo + off; i < hi; i++, j++)
-        if (rs[i] < ws[j] && rs[i + 1] >= ws[j + 1]) {
-            const double *rz = rail->z + i, *wz = wheel->z + j;
-            double t = least(rz[0] - wz[0], rz[1] - wz[1], step * (rs[i] - ws[j]), step * (rs[i + 1] - ws[j + 1]));
-            minimum_at(rail, wheel, i, j, step, t, &one);
-            n = keep(m, n, most, apart, &one);
+    for (int64_t i = o.lo; i < o.hi; i++)
+        if (d[i] < 0 && d[i + 1] >= 0) {
+            double t = least(gap_height(&o, i), gap_height(&o, i + 1), s->step * d[i], s->step * d[i + 1]);
+            one = minimum_at(&o, d, i, s->step, t);
+            n = keep(m, n, most, s->apart, &one);
         }
-    if (ends & GAP_RIGHT_END && hi == rail->n - 1 && rs[hi] < ws[hi + off]) {
-        minimum_at_end(rail, wheel, hi, hi + off, step, &one);
-        n = keep(m, n, most, apart, &one);
+    if (ends & GAP_RIGHT_END && o.hi == rail->n - 1 && d[o.hi] < 0) {
+        one = minimum_at_end(&o, d, o.hi, s->step);
+        n = keep(m, n, most, s->apart, &one);
     }
     return n;
 }

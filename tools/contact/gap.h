@@ -1,25 +1,46 @@
 /* Local minima of the gap between a rail and a wheel, both tabulated on one even lateral grid.
  *
- * y to the right, z down: a wheel whose running circle hangs at height H touches where z_rail(y) - z_wheel(y - u) = H, and touches
- * first where that is smallest.  Node j of the grid is y = j step, so u that is a multiple of the step shifts by whole nodes. */
+ * y to the right, z down, x forward from the section.  The rail's surface is z_r(y) + e(y) x, e its fall; the wheel's near its
+ * silhouette z_w(y), which lies at x = X(y), is z_w - (x - X)^2/(2 R).  In each plane y = const they come nearest at
+ *
+ *     x = X - R e,    gap(y) = z_r - z_w + e X - R e^2/2
+ *
+ * to second order in e.  A wheel whose running circle hangs at height H touches where gap(y) = H, and touches first where that is
+ * smallest.  Node j of the grid is y = j step, so u that is a multiple of the step shifts by whole nodes. */
 #ifndef VX_CONTACT_GAP_H
 #define VX_CONTACT_GAP_H
 
 #include <stdint.h>
 
+/* A polyline or a silhouette, [n] each; NaN in y leaves a point out. */
+struct gap_line {
+    int64_t n;
+    double *y, *z;           /* m */
+    double *slope;           /* 1 dz/dy */
+    double *k;               /* 1/m curvature, handed through */
+    double *along;           /* rail: 1 fall e; wheel: m X */
+    double *reach;           /* wheel: m R; a rail's is not read */
+};
+
+/* On the grid.  A node that nothing covers has the slope NaN. */
 struct gap_curve {
     int64_t first, n;        /* nodes first .. first + n - 1 of the grid */
-    double *z;               /* m [n] */
-    double *slope;           /* 1 [n] dz/dy */
-    double *k;               /* 1/m [n] curvature handed through */
+    double *z, *slope, *k;   /* as above [n] */
+    double *along, *rate;    /* e or X, and its derivative by y [n] */
+    double *reach;           /* wheel: [n] R */
+    int level;               /* e or X is 0 everywhere */
 };
+
+enum { GAP_ARRAYS = 6 };     /* of n doubles in a gap_curve */
 
 enum { GAP_LEFT_END = 1, GAP_RIGHT_END = 2 };
 
 struct gap_minimum {
     double y;                /* m, on the rail */
     double gap;              /* m */
-    double z, slope;         /* m, 1, of the rail; the wheel's slope at an end of the rail */
+    double x;                /* m, ahead of the section */
+    double z, slope;         /* m, 1, of the rail there, at x; the wheel's slope at an end of the rail */
+    double fall;             /* 1, e */
     double rail_k, wheel_k;  /* 1/m, as handed through */
     int end;                 /* the end of the rail's polyline, not a smooth minimum */
 };
@@ -27,13 +48,19 @@ struct gap_minimum {
 /* Most nodes a polyline y[n] (m, NaN ignored) covers on the grid of this step (m). */
 int64_t gap_nodes(const double *y, int64_t n, double step);
 
-/* Polyline y, z, slope, curvature k [n] by cubic Hermite on the grid, into arrays of c with room for gap_nodes.  Only pieces of
- * increasing y count; where pieces overlap the lowest (greatest z) is kept, where some are missing the longest run. */
-void gap_tabulate(const double *y, const double *z, const double *slope, const double *k, int64_t n, double step, struct gap_curve *c);
+/* The line by cubic Hermite on the grid, into arrays of c with room for gap_nodes.  Only pieces of increasing y count; where pieces
+ * overlap the lowest (greatest z) is kept. */
+void gap_tabulate(const struct gap_line *line, double step, struct gap_curve *c);
 
-/* Minima for the wheel moved right by `shift` nodes into m[most], by increasing y; of minima nearer to each other than `apart` (m) the
- * lowest.  At ends (GAP_LEFT_END | GAP_RIGHT_END) of the rail a smallest gap counts too.  More than `most`: the lowest are kept. */
-int gap_minima(const struct gap_curve *rail, const struct gap_curve *wheel, int64_t shift, double step, double apart, int ends,
+struct gap_search {
+    double step;             /* m, of the grid */
+    double apart;            /* m: of minima nearer to each other the lowest counts */
+    double *work;            /* [n of the longest rail] */
+};
+
+/* Minima for the wheel moved right by `shift` nodes into m[most], by increasing y.  At ends (GAP_LEFT_END | GAP_RIGHT_END) of the rail a
+ * smallest gap counts too.  More than `most`: the lowest are kept. */
+int gap_minima(const struct gap_search *s, const struct gap_curve *rail, const struct gap_curve *wheel, int64_t shift, int ends,
                struct gap_minimum *m, int most);
 
 #endif

@@ -7,37 +7,39 @@
  *     sin(t) = -r' tan(psi),   r' = dr/da
  *
  * which leaves one point for each a: y = a cos(psi) - r r' tan(psi) sin(psi), x = -(a + r r') sin(psi),
- * and dz/dy = r'/(cos(psi) cos(t)).  (Contact locus; Wang 1984, Vollebregt 2022.) */
+ * and dz/dy = r'/(cos(psi) cos(t)).  (Contact locus; Wang 1984, Vollebregt 2022.)  In the plane y = const a = y cos(psi) - x sin(psi), and
+ * (z + r0)^2 = r(a)^2 - (x cos(psi) + y sin(psi))^2 has there
+ *
+ *     d2z/dx2 = -1/R,   R = r cos(t)/(cos^2(psi) - (r'^2 + r r'') sin^2(psi)) */
 #include "tools/contact/locus.h"
 
 #include <math.h>
 
 #define STEEPEST 0.99         /* of |sin(t)|: beyond, the profile is nearly a disc seen edge on */
+#define FLATTEST 0.25         /* of 1/(r cos(t)): where the silhouette is about to fold R has no bound */
 
-void locus_silhouette(const double *y, const double *z, const double *slope, int64_t n, double position, double radius, double yaw,
-                      double *ly, double *lz, double *lslope)
+void locus_silhouette(const struct locus_wheel *w, double yaw, const struct locus *o)
 {
     double c = cos(yaw), s = sin(yaw), tangent = tan(yaw);
 
-    for (int64_t i = 0; i < n; i++) {
-        double a = position + y[i], r = radius + z[i], sin_t = -slope[i] * tangent;
+    for (int64_t i = 0; i < w->n; i++) {
+        double rate = w->slope[i], a = w->position + w->y[i], r = w->radius + w->z[i], sin_t = -rate * tangent;
         double cos_t = fabs(sin_t) < STEEPEST ? sqrt(1 - sin_t * sin_t) : (double)NAN;
-        ly[i] = a * c + r * sin_t * s;
-        lz[i] = r * cos_t - radius;
-        lslope[i] = slope[i] / (c * cos_t);
-        if (isnan(cos_t))
-            ly[i] = (double)NAN;
+        double bend = w->k[i] * pow(1 + rate * rate, 1.5);
+        o->y[i] = isnan(cos_t) ? cos_t : a * c + r * sin_t * s;
+        o->z[i] = r * cos_t - w->radius;
+        o->slope[i] = rate / (c * cos_t);
+        o->x[i] = -(w->y[i] + r * rate) * s;
+        o->reach[i] = r * cos_t / fmax(c * c - (rate * rate + r * bend) * s * s, FLATTEST);
     }
 }
 
-void locus_invert(double y, double z, double slope, double radius, double yaw, struct locus_point *p)
+void locus_invert(double x, double y, double z, double slope, double radius, double yaw, struct locus_point *p)
 {
-    double c = cos(yaw), s = sin(yaw), tangent = tan(yaw), flat = slope * c;   /* r'/cos(t) */
+    double c = cos(yaw), s = sin(yaw), ahead = x * c + y * s, down = radius + z;
 
-    p->rate = flat / sqrt(1 + flat * flat * tangent * tangent);
-    double sin_t = -p->rate * tangent;
-    p->turn = asin(sin_t);
-    p->r = (radius + z) / sqrt(1 - sin_t * sin_t);
-    p->a = (y - p->r * sin_t * s) / c;
-    p->x = -(p->a + p->r * p->rate) * s;
+    p->a = y * c - x * s;
+    p->r = hypot(ahead, down);
+    p->turn = atan2(ahead, down);
+    p->rate = (slope * down + ahead * s) / (p->r * c);            /* dz/dy = (r' cos(psi) - sin(t) sin(psi))/cos(t) */
 }

@@ -1,10 +1,9 @@
-/* Interpolation within branches of contact.
+/* Interpolation within contacts.
  *
- * The rows at the eight corners of the table's cell are joined to branches: rows of one body whose place on the wheel differs by
- * less than BRANCH at one station, by less than STATION_BRANCH from one station to the next.  A branch is the mean of its corners
+ * The rows at the eight corners of the table's cell are joined to branches along the table's links.  A branch is the mean of its corners
  * by their trilinear weights, divided by their sum W; W itself is the branch's weight, so a branch that some corners lack fades in
- * and out continuously across the cell.  Along u the height is exact to second order: a branch at both ends of an edge gets half of
- * each end's slope (the parabola through both), at one end its tangent.
+ * and out continuously across the cell.  The height is exact to second order along each axis by its derivatives: a branch at both
+ * ends of an edge gets half of each end's slope (the parabola through both), at one end its tangent.
  *
  * Roll carries the height to second order, d2(height)/d(roll)2 = -(1 + height_u^2) d(contact's y)/d(roll), and the place of the contact to
  * first. */
@@ -12,26 +11,22 @@
 
 #include <math.h>
 
-#define BRANCH 4e-3           /* m, as search.h keeps minima apart */
-#define STATION_BRANCH 8e-3   /* m; the edge of a wing rail moves 6 mm between sections 0.1 m apart */
-
 #define LEAST_WEIGHT 1e-12    /* what rounding leaves of a corner on the query's own node */
+#define TANGENT_MOST 0.05     /* m of station a contact that ends goes on along its tangent */
 
-enum { CORNERS = 8 };         /* bit 0 u, bit 1 yaw, bit 2 station */
+enum { CORNERS = 8, AXES = CTAB_LINKS };      /* bit 0 of a corner u, bit 1 yaw, bit 2 station */
 
 struct cell {
-    const double *row[CORNERS];     /* [count][CTAB_N] */
+    int64_t first[CORNERS];         /* row */
     int count[CORNERS];
     double weight[CORNERS];
-    double u[CORNERS];              /* m, from the corner to the query */
+    double off[CORNERS][AXES];      /* m, rad, m from the corner to the query */
     double per_s[CORNERS];          /* 1/m, derivative of the weight by station */
 };
 
 struct branch {
-    int held;                       /* bits of corners */
-    int rows, station;              /* of the corners joined last: how many, and at which station of the two */
-    double wheel_y, body;           /* mean place of those rows */
-    const double *row[CORNERS];
+    unsigned held;                  /* bits of corners */
+    int64_t row[CORNERS];
 };
 
 /* i and t of x between a[i] and a[i + 1]; t = 0 at or before the first, 1 at or beyond the last. */
@@ -73,7 +68,8 @@ static void cell_corners(const struct ctab *t, double s, double yaw, double u, s
     int64_t iy = even_bracket(t->yaw, t->yaws, yaw, &ty);
     int64_t iu = even_bracket(t->u, t->us, u, &tu);
     int inside = t->stations > 1 && s >= t->station[0] && s < t->station[t->stations - 1];
-    double per_s = inside ? 1 / (t->station[is + 1] - t->station[is]) : 0;
+    double length = t->stations > 1 ? t->station[is + 1] - t->station[is] : 1;
+    double dy = t->yaws > 1 ? t->yaw[iy + 1] - t->yaw[iy] : 0, du = t->u[iu + 1] - t->u[iu];
 
     for (int k = 0; k < CORNERS; k++) {
         int bu = k & 1, by = k >> 1 & 1, bs = k >> 2;
@@ -83,71 +79,104 @@ static void cell_corners(const struct ctab *t, double s, double yaw, double u, s
         if (!(wu * wy > 0) || !(ws > 0 || (inside && bs)))        /* at a station the slope ahead still counts */
             continue;
         int64_t node = ((is + bs) * t->yaws + iy + by) * t->us + iu + bu;
-        c->count[k] = t->count[node];
-        c->row[k] = t->contact + node * t->slots * CTAB_N;
-        c->u[k] = u - t->u[iu + bu];
-        c->per_s[k] = (bs ? per_s : -per_s) * wu * wy;
+        c->first[k] = t->first[node];
+        c->count[k] = t->first[node + 1] - t->first[node];
+        c->off[k][CTAB_LINK_U] = (tu - bu) * du;
+        c->off[k][CTAB_LINK_YAW] = (ty - by) * dy;
+        c->off[k][CTAB_LINK_STATION] = (ts - bs) * length;
+        c->per_s[k] = inside ? (bs ? wu * wy : -wu * wy) / length : 0;
     }
 }
 
-/* Joins the rows of corner k to the branches, nearest first; rows left over begin branches of their own. */
-static int join_corner(const struct cell *c, int k, struct branch *b, int n)
-{
-    unsigned left = (1u << c->count[k]) - 1;
-    int old = n, station = k >> 2;
+/* Branches of a cell, and the branch of each row of its corners, -1 none yet. */
+struct joined {
+    struct branch branch[CONTACT_MAX];
+    int n;
+    int of[CORNERS][CTAB_MOST];
+};
 
-    while (left) {
-        double best = STATION_BRANCH;
-        int at = -1, from = -1;
-        for (int i = 0; i < c->count[k]; i++)
-            for (int j = 0; j < old && left >> i & 1; j++) {
-                const double *row = c->row[k] + i * CTAB_N;
-                double far = fabs(row[CTAB_WHEEL_Y] - b[j].wheel_y);
-                if (far < (b[j].station == station ? fmin(best, BRANCH) : best) && row[CTAB_BODY] == b[j].body &&
-                    !(b[j].held >> k & 1)) {
-                    best = far;
-                    at = j;
-                    from = i;
-                }
-            }
-        if (at < 0)
-            break;
-        const double *row = c->row[k] + from * CTAB_N;
-        if (b[at].station != station) {
-            b[at].station = station;
-            b[at].rows = 0;
+static void join_row(struct joined *o, int k, int i, int64_t row, int branch)
+{
+    o->of[k][i] = branch;
+    o->branch[branch].held |= 1u << k;
+    o->branch[branch].row[k] = row;
+}
+
+/* Two branches that a row belongs to both become one, the rows of `from` those of `to`. */
+static void join_branches(struct joined *o, int to, int from)
+{
+    for (int k = 0; k < CORNERS; k++)
+        if (o->branch[from].held >> k & 1)
+            for (int i = 0; i < CTAB_MOST; i++)
+                if (o->of[k][i] == from)
+                    join_row(o, k, i, o->branch[from].row[k], to);
+    o->branch[from].held = 0;
+}
+
+/* Rows of corner k: each goes on with the branch whose row at a corner before links to it, or begins one. */
+static void join_corner(const struct ctab *t, const struct cell *c, int k, struct joined *o)
+{
+    for (int i = 0; i < CTAB_MOST; i++)
+        o->of[k][i] = -1;
+    for (int axis = 0; axis < AXES; axis++) {
+        int before = k ^ 1 << axis;
+        if (!(k >> axis & 1))
+            continue;
+        for (int j = 0; j < c->count[before]; j++) {
+            int i = t->link[(c->first[before] + j) * CTAB_LINKS + axis] - 1, branch = o->of[before][j];
+            if (i < 0 || i >= c->count[k] || branch < 0 || o->of[k][i] == branch)
+                continue;
+            if (o->of[k][i] < 0 && !(o->branch[branch].held >> k & 1))
+                join_row(o, k, i, c->first[k] + i, branch);
+            else if (o->of[k][i] >= 0 && !(o->branch[o->of[k][i]].held & o->branch[branch].held))
+                join_branches(o, o->of[k][i], branch);
         }
-        b[at].wheel_y += (row[CTAB_WHEEL_Y] - b[at].wheel_y) / ++b[at].rows;
-        b[at].held |= 1 << k;
-        b[at].row[k] = row;
-        left &= ~(1u << from);
     }
-    for (int i = 0; i < c->count[k] && n < CONTACT_MAX; i++)
-        if (left >> i & 1) {
-            const double *row = c->row[k] + i * CTAB_N;
-            b[n] = (struct branch){.held = 1 << k, .rows = 1, .station = station, .wheel_y = row[CTAB_WHEEL_Y], .body = row[CTAB_BODY]};
-            b[n++].row[k] = row;
+    for (int i = 0; i < c->count[k]; i++)
+        if (o->of[k][i] < 0 && o->n < CONTACT_MAX) {
+            o->branch[o->n].held = 0;
+            join_row(o, k, i, c->first[k] + i, o->n++);
         }
-    return n;
+}
+
+/* Height of a corner's row carried to the query, and its derivative by station. */
+static double carried(const struct cell *c, const struct branch *b, int k, const float *row, double *by_station)
+{
+    static const enum ctab_column rate[AXES] = {
+        [CTAB_LINK_U] = CTAB_HEIGHT_U, [CTAB_LINK_YAW] = CTAB_HEIGHT_YAW, [CTAB_LINK_STATION] = CTAB_HEIGHT_S,
+    };
+    double height = row[CTAB_HEIGHT];
+
+    *by_station = 0;
+    for (int axis = 0; axis < AXES; axis++) {
+        int both = b->held >> (k ^ 1 << axis) & 1;
+        double part = both ? 0.5 : 1, off = c->off[k][axis], slope = row[rate[axis]];
+        if (axis == CTAB_LINK_STATION && !both)
+            off = fmax(-TANGENT_MOST, fmin(off, TANGENT_MOST));
+        height += part * slope * off;
+        if (axis == CTAB_LINK_STATION && off == c->off[k][axis])
+            *by_station = part * slope;
+    }
+    return height;
 }
 
 /* Mean of a branch over its corners, at roll 0. */
-static void blend(const struct cell *c, const struct branch *b, struct contact *o)
+static void blend(const struct ctab *t, const struct cell *c, const struct branch *b, struct contact *o)
 {
-    double W = 0, W_s = 0, h = 0, h_s = 0, sum[CTAB_N] = {0};
+    double W = 0, W_s = 0, h = 0, h_s = 0, sum[CTAB_N] = {0}, body = 0;
 
     for (int k = 0; k < CORNERS; k++) {
         if (!(b->held >> k & 1))
             continue;
-        const double *row = b->row[k];
-        double w = c->weight[k], part = b->held >> (k ^ 1) & 1 ? 0.5 : 1;
-        double height = row[CTAB_HEIGHT] + part * row[CTAB_HEIGHT_U] * c->u[k];
+        const float *row = t->row + b->row[k] * CTAB_N;
+        double w = c->weight[k], by_station, height = carried(c, b, k, row, &by_station);
         W += w;
         W_s += c->per_s[k];
         h += w * height;
-        h_s += c->per_s[k] * height;
+        h_s += c->per_s[k] * height + w * by_station;
         for (int i = 0; i < CTAB_N; i++)
             sum[i] += w * row[i];
+        body = row[CTAB_BODY];
     }
     o->weight = W;
     if (!(W > 0))
@@ -156,7 +185,7 @@ static void blend(const struct cell *c, const struct branch *b, struct contact *
         o->row[i] = sum[i] / W;
     o->height = h / W;
     o->height_s = (h_s - o->height * W_s) / W;
-    o->row[CTAB_BODY] = b->body;
+    o->row[CTAB_BODY] = body;
 }
 
 /* Carries a contact from roll 0 to roll.  The wheel's own slope, angle less roll, sets how far ahead it touches. */
@@ -182,19 +211,21 @@ static void turn(struct contact *o, double yaw, double roll)
 int contact_lookup(const struct ctab *t, double s, double yaw, double u, double roll, struct contact *c)
 {
     struct cell cell;
-    struct branch branch[CONTACT_MAX];
-    int branches = 0, n = 0;
+    struct joined joined;
+    int n = 0;
 
     if (!(u >= t->u[0] && u <= t->u[t->us - 1]))
         return -1;
     yaw = fmax(t->yaw[0], fmin(yaw, t->yaw[t->yaws - 1]));
-    cell_corners(t, s, yaw, u, &cell);
+    cell_corners(t, s - t->wheel_position * sin(yaw), yaw, u, &cell);
+    joined.n = 0;
     for (int k = 0; k < CORNERS; k++)
-        if (cell.count[k])
-            branches = join_corner(&cell, k, branch, branches);
-    for (int j = 0; j < branches; j++) {
+        join_corner(t, &cell, k, &joined);
+    for (int j = 0; j < joined.n; j++) {
         struct contact one;
-        blend(&cell, &branch[j], &one);
+        if (!joined.branch[j].held)
+            continue;
+        blend(t, &cell, &joined.branch[j], &one);
         if (!(one.weight > LEAST_WEIGHT))
             continue;
         turn(&one, yaw, roll);

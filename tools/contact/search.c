@@ -3,16 +3,15 @@
 #include "tools/contact/search.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "formats/reason.h"
-#include "tools/contact/locus.h"
+#include "formats/room.h"
 
 #define APART 4e-3            /* m: nearer minima on one body are one patch (D_COMB of CONTACT, Vollebregt 2022) */
 #define WITHIN 8e-3           /* m: a contact further above the first is left out; no approach is that large */
 #define BESIDE 1e-3           /* m beyond its end another body must reach for the end not to count */
 
-static void poly_copy(const struct prof *p, int64_t poly, int mirror, struct search_poly *o)
+static void poly_copy(const struct prof *p, int64_t poly, int mirror, struct gap_line *o)
 {
     int64_t from = p->poly_first[poly], to = p->poly_first[poly + 1];
 
@@ -23,6 +22,7 @@ static void poly_copy(const struct prof *p, int64_t poly, int mirror, struct sea
         o->z[i] = p->z[j];
         o->slope[i] = mirror ? -p->slope[j] : p->slope[j];
         o->k[i] = p->curvature[j];
+        o->along[i] = p->fall[j];
     }
 }
 
@@ -47,24 +47,49 @@ static int64_t widest(const struct prof *p, double step)
     return n;
 }
 
-/* Divides one block: 7 arrays of points, 3 of each rail body, 3 of each yaw. */
+/* Arrays of a curve one after another from `at` on. */
+static struct gap_curve curve_at(double *at, int64_t n)
+{
+    return (struct gap_curve){.z = at, .slope = at + n, .k = at + 2 * n, .along = at + 3 * n, .rate = at + 4 * n, .reach = at + 5 * n};
+}
+
+static struct gap_line line_at(double *at, int64_t n)
+{
+    return (struct gap_line){.y = at, .z = at + n, .slope = at + 2 * n, .k = at + 3 * n, .along = at + 4 * n, .reach = at + 5 * n};
+}
+
 static const char *search_room(struct search *s, int64_t points, int64_t rail_nodes, int64_t wheel_nodes, int64_t yaws)
 {
-    double **part[] = {&s->poly.y, &s->poly.z, &s->poly.slope, &s->poly.k, &s->ly, &s->lz, &s->lslope};
-    const int64_t parts = sizeof part / sizeof *part;
+    double *line = room_take(&s->store, 2 * GAP_ARRAYS * points, sizeof *line);
+    double *rail = room_take(&s->store, SEARCH_BODIES * GAP_ARRAYS * rail_nodes, sizeof *rail);
+    double *wheel = room_take(&s->store, yaws * GAP_ARRAYS * wheel_nodes, sizeof *wheel);
 
-    s->store = calloc((size_t)(parts * points + 3 * rail_nodes * SEARCH_BODIES + 3 * wheel_nodes * yaws), sizeof *s->store);
-    s->wheel = calloc((size_t)yaws, sizeof *s->wheel);
-    if (!s->store || !s->wheel)
+    s->wheel = room_take(&s->store, yaws, sizeof *s->wheel);
+    s->gap.work = room_take(&s->store, rail_nodes, sizeof *s->gap.work);
+    if (!line || !rail || !wheel || !s->wheel || !s->gap.work)
         return REASON_MEMORY;
-    double *at = s->store;
-    for (int64_t i = 0; i < parts; i++, at += points)
-        *part[i] = at;
-    for (int i = 0; i < SEARCH_BODIES; i++, at += 3 * rail_nodes)
-        s->rail[i] = (struct gap_curve){.z = at, .slope = at + rail_nodes, .k = at + 2 * rail_nodes};
-    for (int64_t i = 0; i < yaws; i++, at += 3 * wheel_nodes)
-        s->wheel[i] = (struct gap_curve){.z = at, .slope = at + wheel_nodes, .k = at + 2 * wheel_nodes};
+    s->line = line_at(line, points);
+    s->line.reach = NULL;
+    s->silhouette = line_at(line + GAP_ARRAYS * points, points);
+    for (int64_t i = 0; i < SEARCH_BODIES; i++)
+        s->rail[i] = curve_at(rail + i * GAP_ARRAYS * rail_nodes, rail_nodes);
+    for (int64_t i = 0; i < yaws; i++)
+        s->wheel[i] = curve_at(wheel + i * GAP_ARRAYS * wheel_nodes, wheel_nodes);
     return NULL;
+}
+
+/* The wheel's polyline, in s->line, as it is seen along the track. */
+static void silhouette_make(struct search *s, double radius, double yaw)
+{
+    struct gap_line *o = &s->silhouette;
+    const struct locus_wheel w = {s->line.n, s->line.y, s->line.z, s->line.slope, s->line.k, s->wheel_position, radius};
+
+    o->n = w.n;
+    locus_silhouette(&w, yaw, &(struct locus){o->y, o->z, o->slope, o->along, o->reach});
+    for (int64_t i = 0; i < o->n; i++) {
+        o->y[i] -= s->rail_position;
+        o->k[i] = w.k[i];
+    }
 }
 
 const char *search_begin(struct search *s, const struct prof *wheel, const struct prof *rail, const double *yaw, int64_t yaws,
@@ -76,28 +101,24 @@ const char *search_begin(struct search *s, const struct prof *wheel, const struc
     int64_t wheel_nodes = widest(wheel, step) + 2 * spare;
     const char *why;
 
-    *s = (struct search){.mirror = wheel->side == 'l', .step = step};
+    *s = (struct search){.mirror = wheel->side == 'l', .gap = {.step = step, .apart = APART}};
     s->wheel_position = s->mirror ? -wheel->position : wheel->position;
     s->rail_position = s->mirror ? -rail->position : rail->position;
     if ((why = search_room(s, points, widest(rail, step), wheel_nodes, yaws)))
         return why;
-    poly_copy(wheel, 0, s->mirror, &s->poly);
+    poly_copy(wheel, 0, s->mirror, &s->line);
     for (int64_t i = 0; i < yaws; i++) {
-        locus_silhouette(s->poly.y, s->poly.z, s->poly.slope, s->poly.n, s->wheel_position, wheel->radius, yaw[i], s->ly, s->lz,
-                         s->lslope);
-        for (int64_t j = 0; j < s->poly.n; j++)
-            s->ly[j] -= s->rail_position;
-        if (gap_nodes(s->ly, s->poly.n, step) > wheel_nodes)
+        silhouette_make(s, wheel->radius, yaw[i]);
+        if (gap_nodes(s->silhouette.y, s->silhouette.n, step) > wheel_nodes)
             return reason("wheel profile too steep for a yaw of %g rad", yaw[i]);
-        gap_tabulate(s->ly, s->lz, s->lslope, s->poly.k, s->poly.n, step, &s->wheel[i]);
+        gap_tabulate(&s->silhouette, step, &s->wheel[i]);
     }
     return NULL;
 }
 
 void search_free(struct search *s)
 {
-    free(s->store);
-    free(s->wheel);
+    room_release(&s->store);
 }
 
 /* Does a body of this section other than `poly` reach over y (m, of the file)? */
@@ -119,21 +140,21 @@ const char *search_section(struct search *s, const struct prof *p, int64_t secti
             return reason("section %lld has more than %d bodies", (long long)section, SEARCH_BODIES);
         int low = covered(p, section, i, p->y[p->poly_first[i]] - BESIDE) ? 0 : s->mirror ? GAP_RIGHT_END : GAP_LEFT_END;
         int high = covered(p, section, i, p->y[p->poly_first[i + 1] - 1] + BESIDE) ? 0 : s->mirror ? GAP_LEFT_END : GAP_RIGHT_END;
-        poly_copy(p, i, s->mirror, &s->poly);
+        poly_copy(p, i, s->mirror, &s->line);
         s->body[s->bodies] = (int)p->poly_body[i];
         s->ends[s->bodies] = low | high;
-        gap_tabulate(s->poly.y, s->poly.z, s->poly.slope, s->poly.k, s->poly.n, s->step, &s->rail[s->bodies++]);
+        gap_tabulate(&s->line, s->gap.step, &s->rail[s->bodies++]);
     }
     return NULL;
 }
 
 int search_contacts(const struct search *s, int64_t iy, int64_t shift, struct search_contact c[SEARCH_MOST])
 {
-    struct gap_minimum found[SEARCH_MOST];
+    struct gap_minimum found[SEARCH_BODY_MOST];
     int n = 0;
 
     for (int b = 0; b < s->bodies; b++) {
-        int minima = gap_minima(&s->rail[b], &s->wheel[iy], shift, s->step, APART, s->ends[b], found, SEARCH_MOST);
+        int minima = gap_minima(&s->gap, &s->rail[b], &s->wheel[iy], shift, s->ends[b], found, SEARCH_BODY_MOST);
         for (int k = 0; k < minima; k++) {
             if (n == SEARCH_MOST && found[k].gap >= c[n - 1].at.gap)
                 continue;

@@ -1,27 +1,22 @@
 /* The wheel's silhouettes and the rail bodies of one section on a common grid, and the contacts found between them.
  *
- * y to the right, z down, of the right side: profiles of a left side are mirrored in. */
+ * x forward, y to the right, z down, of the right side: profiles of a left side are mirrored in. */
 #ifndef VX_CONTACT_SEARCH_H
 #define VX_CONTACT_SEARCH_H
 
 #include "formats/prof.h"
 #include "tools/contact/gap.h"
+#include "tools/contact/locus.h"
 
-enum { SEARCH_MOST = 4, SEARCH_BODIES = 8 };
-
-/* One polyline, [n] each. */
-struct search_poly {
-    int64_t n;
-    double *y, *z, *slope, *k;
-};
+enum { SEARCH_MOST = 8, SEARCH_BODY_MOST = 3, SEARCH_BODIES = 8 };
 
 struct search {
     int mirror;                              /* the profiles are those of a left side */
-    double step;                             /* m, of the grid */
     double wheel_position, rail_position;    /* m, mirrored with the profiles */
-    double *store;
-    struct search_poly poly;                 /* room for the longest polyline */
-    double *ly, *lz, *lslope;                /* room for the wheel's silhouette */
+    struct gap_search gap;
+    void *store;
+    struct gap_line line;                    /* room for the longest polyline */
+    struct gap_line silhouette;              /* room for the wheel's */
     struct gap_curve *wheel;                 /* [yaws] y from the rail's origin */
     struct gap_curve rail[SEARCH_BODIES];
     int body[SEARCH_BODIES], ends[SEARCH_BODIES], bodies;

@@ -1,4 +1,4 @@
-/* Every entry: local minima of the gap between each rail body and the wheel's silhouette, sorted by height.
+/* Every node: local minima of the gap between each rail body and the wheel's silhouette, sorted by height.
  *
  * All work is done for a right wheel.  A left one is mirrored in (y, u, yaw and their derivatives change sign) and mirrored out, so both
  * sides of a symmetric track agree to the last bit. */
@@ -9,123 +9,98 @@
 #include <string.h>
 
 #include "formats/reason.h"
-#include "tools/contact/hertz.h"
-#include "tools/contact/locus.h"
+#include "formats/room.h"
+#include "tools/contact/link.h"
+#include "tools/contact/row.h"
 #include "tools/contact/search.h"
 
-#define ROLL_Y_MOST 5.0       /* m/rad: flatter than 0.2 1/m the contact runs away and its rate says nothing */
-#define END_CURVATURE 1e3     /* 1/m: an end of a rail section is taken as an edge of 1 mm radius */
+/* A table being filled. */
+struct filling {
+    struct ctab *t;
+    struct search search;
+    double *station, *yaw, *u;
+    int32_t *first;
+    int64_t room;            /* rows there is memory for */
+};
 
-/* One row from a minimum of the gap, still of the right side.
- *
- * The wheel hangs at H = min over y of z_rail(y) - z_wheel(y - u), so dH/du is the slope where they touch.  Roll turns a wheel point (y, z),
- * counted from the running circle's lowest point, to (y - z roll, z + y roll): dH/d(roll) = -(y + slope z), and the contact moves by
- * d(y)/d(roll) = (1 + slope^2 + z_wheel'' z)/(z_rail'' - z_wheel''). */
-static void table_row(const struct gap_minimum *m, const struct ctab *t, const struct search *s, double yaw, double u,
-                      double *row)
+static const char *axes_room(struct filling *f, const struct prof *rail, const struct table_grid *g)
 {
-    struct locus_point p;
-    struct hertz h;
-    double A, B, z = m->z - m->gap, t2 = 1 + m->slope * m->slope, bend = t2 * sqrt(t2);
-    double rail_k = m->end ? END_CURVATURE : m->rail_k, wheel_k = -m->wheel_k, both = (rail_k + wheel_k) * bend;
-
-    locus_invert(m->y - u + s->rail_position, z, m->slope, t->radius, yaw, &p);
-    double out = yaw != 0 ? acos(cos(p.turn) * cos(yaw)) : 0;     /* between rolling direction on the wheel and rail */
-    hertz_curvatures(wheel_k, 1 / (p.r * sqrt(1 + p.rate * p.rate)), rail_k, out, &A, &B);
-    hertz_contact(A, B, t->shear_modulus, t->poisson, &h);
-    double roll_y = both > 0 ? (t2 - wheel_k * bend * z) / both : ROLL_Y_MOST;
-
-    row[CTAB_HEIGHT] = m->gap;
-    row[CTAB_RAIL_Y] = m->y;
-    row[CTAB_RAIL_Z] = m->z;
-    row[CTAB_WHEEL_Y] = p.a - s->wheel_position;
-    row[CTAB_X] = p.x;
-    row[CTAB_ANGLE] = atan(m->slope);
-    row[CTAB_RADIUS] = p.r;
-    row[CTAB_RAIL_K] = rail_k;
-    row[CTAB_WHEEL_K] = wheel_k;
-    row[CTAB_HERTZ_C] = h.C;
-    row[CTAB_HERTZ_A] = h.a1;
-    row[CTAB_HERTZ_B] = h.b1;
-    row[CTAB_HEIGHT_U] = m->slope;
-    row[CTAB_HEIGHT_ROLL] = -(m->y - u + s->rail_position - s->wheel_position + m->slope * z);
-    row[CTAB_ROLL_Y] = m->end ? 0 : fmax(0, fmin(roll_y, ROLL_Y_MOST));
-}
-
-static void mirror_row(double *row)
-{
-    row[CTAB_RAIL_Y] = -row[CTAB_RAIL_Y];
-    row[CTAB_WHEEL_Y] = -row[CTAB_WHEEL_Y];
-    row[CTAB_ANGLE] = -row[CTAB_ANGLE];
-    row[CTAB_HEIGHT_U] = -row[CTAB_HEIGHT_U];
-    row[CTAB_HEIGHT_ROLL] = -row[CTAB_HEIGHT_ROLL];
-}
-
-/* Contacts of one node into rows[SEARCH_MOST][CTAB_N], the first to touch first. */
-static int table_node(const struct search *s, const struct ctab *t, double yaw, int64_t iy, int64_t shift, double *rows)
-{
-    struct search_contact c[SEARCH_MOST];
-    int n = search_contacts(s, iy, shift, c);
-
-    for (int i = 0; i < n; i++) {
-        double *row = rows + i * CTAB_N;
-        table_row(&c[i].at, t, s, yaw, (double)shift * s->step, row);
-        row[CTAB_BODY] = c[i].body;
-        if (s->mirror)
-            mirror_row(row);
-    }
-    return n;
-}
-
-/* Arrays of t in one block, SEARCH_MOST wide; axes filled in. */
-static const char *table_room(struct ctab *t, const struct prof *rail, const struct table_grid *g)
-{
+    struct ctab *t = f->t;
     int64_t reach = (int64_t)floor(g->u_max / g->u_step + 0.5);
 
     t->us = 2 * reach + 1;
-    size_t nodes = (size_t)(t->stations * t->yaws * t->us), axes = (size_t)(t->stations + t->yaws + t->us);
-    size_t counts = (nodes + sizeof(double) - 1) / sizeof(double);
-    double *at = calloc(axes + counts + nodes * SEARCH_MOST * CTAB_N, sizeof *at);
-    if (!at)
+    f->station = room_take(&t->store, t->stations, sizeof *f->station);
+    f->yaw = room_take(&t->store, t->yaws, sizeof *f->yaw);
+    f->u = room_take(&t->store, t->us, sizeof *f->u);
+    f->first = room_take(&t->store, t->stations * t->yaws * t->us + 1, sizeof *f->first);
+    if (!f->station || !f->yaw || !f->u || !f->first)
         return REASON_MEMORY;
-    t->store = at;
-    memcpy(at, rail->station, (size_t)t->stations * sizeof *at);
-    t->station = at;
-    t->yaw = at += t->stations;
+    memcpy(f->station, rail->station, (size_t)t->stations * sizeof *f->station);
     for (int64_t i = 0; i < t->yaws; i++)
-        at[i] = t->yaws > 1 ? g->yaw_max * (double)(2 * i - (t->yaws - 1)) / (double)(t->yaws - 1) : 0;
-    t->u = at += t->yaws;
+        f->yaw[i] = t->yaws > 1 ? g->yaw_max * (double)(2 * i - (t->yaws - 1)) / (double)(t->yaws - 1) : 0;
     for (int64_t i = 0; i < t->us; i++)
-        at[i] = (double)(i - reach) * g->u_step;
-    at += t->us;
-    t->count = (uint8_t *)at;
-    t->contact = at + counts;
-    t->slots = SEARCH_MOST;
+        f->u[i] = (double)(i - reach) * g->u_step;
+    t->station = f->station;
+    t->yaw = f->yaw;
+    t->u = f->u;
+    t->first = f->first;
     return NULL;
 }
 
-/* Narrows the rows to as many slots as are used, and gives back the rest. */
-static const char *table_narrow(struct ctab *t, double *contact)
+/* Room for as many rows as another yaw may take. */
+static const char *rows_room(struct filling *f)
 {
-    int64_t nodes = t->stations * t->yaws * t->us, slots = 0;
+    struct ctab *t = f->t;
+    int64_t most = t->rows + t->us * CTAB_MOST;
 
-    for (int64_t i = 0; i < nodes; i++)
-        slots = t->count[i] > slots ? t->count[i] : slots;
-    if (slots == 0)
-        return "wheel and rail nowhere touch";
-    for (int64_t i = 0; i < nodes && slots < SEARCH_MOST; i++)
-        memmove(contact + i * slots * CTAB_N, contact + i * SEARCH_MOST * CTAB_N, (size_t)(slots * CTAB_N) * sizeof *contact);
-    t->slots = slots;
-
-    double *old = t->store, *new = realloc(old, (size_t)(contact - old + nodes * slots * CTAB_N) * sizeof *new);
-    if (!new)
+    if (most <= f->room)
+        return NULL;
+    most += f->room;
+    float *larger = most > INT32_MAX ? NULL : realloc(t->row_store, (size_t)most * CTAB_N * sizeof *larger);
+    if (!larger)
         return REASON_MEMORY;
-    t->store = new;
-    t->station = new;
-    t->yaw = t->station + t->stations;
-    t->u = t->yaw + t->yaws;
-    t->count = (uint8_t *)(new + t->stations + t->yaws + t->us);
-    t->contact = new + (nodes + (int64_t)sizeof(double) - 1) / (int64_t)sizeof(double) + t->stations + t->yaws + t->us;
+    t->row = t->row_store = larger;
+    f->room = most;
+    return NULL;
+}
+
+/* The contacts at all u of one station and yaw, in the order of the file. */
+static const char *fill_us(struct filling *f, int64_t is, int64_t iy)
+{
+    struct ctab *t = f->t;
+    const struct search *s = &f->search;
+    int64_t search_yaw = s->mirror ? t->yaws - 1 - iy : iy;
+    const char *why = rows_room(f);
+
+    for (int64_t iu = 0; !why && iu < t->us; iu++) {
+        struct search_contact c[SEARCH_MOST];
+        int64_t shift = s->mirror ? t->us / 2 - iu : iu - t->us / 2;
+        int n = search_contacts(s, search_yaw, shift, c);
+        for (int i = 0; i < n; i++) {
+            float *row = t->row_store + t->rows++ * CTAB_N;
+            row_make(&c[i], s, t, t->yaw[search_yaw], (double)shift * s->gap.step, row);
+            if (s->mirror)
+                row_mirror(row);
+        }
+        f->first[(is * t->yaws + iy) * t->us + iu + 1] = (int32_t)t->rows;
+    }
+    return why;
+}
+
+/* Links; gives back the rows too many. */
+static const char *fill_end(struct filling *f)
+{
+    struct ctab *t = f->t;
+    uint8_t *link = room_take(&t->store, t->rows, CTAB_LINKS);
+
+    if (t->rows == 0)
+        return "wheel and rail nowhere touch";
+    float *fitting = realloc(t->row_store, (size_t)t->rows * CTAB_N * sizeof *fitting);
+    if (!link || !fitting)
+        return REASON_MEMORY;
+    t->row = t->row_store = fitting;
+    link_rows(t, link);
+    t->link = link;
     return NULL;
 }
 
@@ -147,7 +122,7 @@ static const char *check_pair(const struct prof *wheel, const struct prof *rail)
 const char *table_fill(struct ctab *t, const struct prof *wheel, const struct prof *rail, enum table_yaw method,
                        const struct table_grid *g)
 {
-    struct search s = {0};
+    struct filling f = {.t = t};
     const char *why;
 
     *t = (struct ctab){
@@ -156,25 +131,16 @@ const char *table_fill(struct ctab *t, const struct prof *wheel, const struct pr
         .rail_position = rail->position, .wheel_position = wheel->position,
     };
     memcpy(t->yaw_method, method == TABLE_NONE ? "none" : "exact", method == TABLE_NONE ? 5 : 6);
-    if ((why = check_pair(wheel, rail)) || (why = table_room(t, rail, g)) ||
-        (why = search_begin(&s, wheel, rail, t->yaw, t->yaws, g->u_step)))
-        goto done;
-
-    double *contact = (double *)t->store + (t->contact - (const double *)t->store);
-    uint8_t *count = (uint8_t *)t->store + (t->count - (const uint8_t *)t->store);
-    for (int64_t is = 0; is < t->stations; is++) {
-        if ((why = search_section(&s, rail, is)))
-            goto done;
-        for (int64_t iy = 0; iy < t->yaws; iy++)
-            for (int64_t iu = 0; iu < t->us; iu++) {
-                int64_t jy = s.mirror ? t->yaws - 1 - iy : iy, ju = s.mirror ? t->us - 1 - iu : iu;
-                int64_t node = (is * t->yaws + jy) * t->us + ju;
-                count[node] = (uint8_t)table_node(&s, t, t->yaw[iy], iy, iu - t->us / 2, contact + node * SEARCH_MOST * CTAB_N);
-            }
+    if (!(why = check_pair(wheel, rail)) && !(why = axes_room(&f, rail, g)))
+        why = search_begin(&f.search, wheel, rail, t->yaw, t->yaws, g->u_step);
+    for (int64_t is = 0; !why && is < t->stations; is++) {
+        why = search_section(&f.search, rail, is);
+        for (int64_t iy = 0; !why && iy < t->yaws; iy++)
+            why = fill_us(&f, is, iy);
     }
-    why = table_narrow(t, contact);
-done:
-    search_free(&s);
+    if (!why)
+        why = fill_end(&f);
+    search_free(&f.search);
     if (why)
         ctab_free(t);
     return why;

@@ -32,18 +32,9 @@ static double side_load(struct wheelset_side *d, double z, double *stiffness)
     return sum;
 }
 
-/* Which contact a rigid wheel rests on: the first of those most corners of the table hold. */
-static int side_first(const struct wheelset_side *d)
-{
-    for (int i = 0; i < d->n; i++)
-        if (d->contact[i].weight >= 0.5)
-            return i;
-    return 0;
-}
-
 static void side_rigid(struct wheelset_side *d, double *h_u, double *h_roll)
 {
-    const struct contact *c = &d->contact[side_first(d)];
+    const struct contact *c = &d->contact[0];
 
     d->z = c->height;
     d->radius = c->row[CTAB_RADIUS];
@@ -168,7 +159,7 @@ static void point_set(const struct wheelset *w, double y, struct wheelset_point 
 {
     *p = (struct wheelset_point){.y = y, .z = w->z, .roll = w->roll, .radius_difference = w->radius_difference};
     for (int i = 0; i < 2; i++) {
-        const double *row = w->side[i].contact[side_first(&w->side[i])].row;
+        const double *row = w->side[i].contact[0].row;
         p->rail_y[i] = row[CTAB_RAIL_Y];
         p->wheel_y[i] = row[CTAB_WHEEL_Y];
     }

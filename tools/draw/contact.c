@@ -22,15 +22,6 @@ int64_t contact_nearest(int64_t n, const double *x, double v)
     return best;
 }
 
-/* The rows of the node (station, yaw, u), [count][CTAB_N]. */
-static const double *node(const struct ctab *t, int64_t station, int64_t yaw, int64_t u, int *count)
-{
-    int64_t k = (station * t->yaws + yaw) * t->us + u;
-
-    *count = t->count[k];
-    return t->contact + k * t->slots * CTAB_N;
-}
-
 static const char *fits(const struct prof *wheel, const struct prof *rail, const struct ctab *t)
 {
     if (wheel->part != 'w')
@@ -69,7 +60,7 @@ static void wheel_outline(struct chart *c, struct chart_panel *panel, const stru
 }
 
 /* The point of contact k, its normal and its name. */
-static void contact_point(struct chart *c, struct chart_panel *panel, const double *row, int k, double gap)
+static void contact_point(struct chart *c, struct chart_panel *panel, const float *row, int k, double gap)
 {
     double *x = chart_numbers(c, 2), *y = chart_numbers(c, 2);
     double angle = row[CTAB_ANGLE];
@@ -116,14 +107,14 @@ const char *contact_chart(struct chart *c, const struct prof *wheel, const struc
         return why;
     int64_t i = contact_nearest(t->stations, t->station, at->station), j = contact_nearest(t->yaws, t->yaw, at->yaw);
     int64_t k = contact_nearest(t->us, t->u, at->u);
-    const double *row = node(t, i, j, k, &count);
+    const float *row = ctab_node(t, i, j, k, &count);
     if (count == 0)
         return reason("no contact at station %g m, yaw %g rad, u %g m", t->station[i], t->yaw[j], t->u[k]);
     struct chart_panel *panel = begin(c);
     rail_bodies(c, panel, rail, t->station[i]);
     wheel_outline(c, panel, wheel, t->u[k] + wheel->position - rail->position, row[CTAB_HEIGHT]);
     for (int s = 0; s < count; s++) {
-        const double *contact = row + s * CTAB_N;
+        const float *contact = row + s * CTAB_N;
         contact_point(c, panel, contact, s, contact[CTAB_HEIGHT] - row[CTAB_HEIGHT]);
         c->x.lo = fmin(c->x.lo, contact[CTAB_RAIL_Y] - normal);
         c->x.hi = fmax(c->x.hi, contact[CTAB_RAIL_Y] + normal);
@@ -166,7 +157,7 @@ static int64_t join_pairs(struct chart *c, struct chart_panel *panel, const stru
 
     for (int64_t k = (t->us - 1) / 2 % every; k < t->us; k += every) {
         int count;
-        const double *row = node(t, i, j, k, &count);
+        const float *row = ctab_node(t, i, j, k, &count);
         if (count == 0)
             continue;
         double wz = outline_at(wheel, wheel->z, row[CTAB_WHEEL_Y]);

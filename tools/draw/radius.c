@@ -8,11 +8,12 @@ static int64_t radii(const struct ctab *t, double station, double yaw, double *u
     int64_t i = contact_nearest(t->stations, t->station, station), j = contact_nearest(t->yaws, t->yaw, yaw), n = 0;
 
     for (int64_t k = 0; k < t->us; k++) {
-        int64_t at = (i * t->yaws + j) * t->us + k;
-        if (t->count[at] == 0)
+        int count;
+        const float *row = ctab_node(t, i, j, k, &count);
+        if (count == 0)
             continue;
         u[n] = t->u[k];
-        r[n++] = t->contact[at * t->slots * CTAB_N + CTAB_RADIUS];
+        r[n++] = row[CTAB_RADIUS];
     }
     return n;
 }

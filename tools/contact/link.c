@@ -1,0 +1,55 @@
+/* A contact goes on in that of the next node which lies nearest on the wheel, on the same rail body and not further off than a
+ * patch is wide.  Pairs are made nearest first, so no row goes on in two or is continued by two.
+ *
+ * Identity is a relation between neighbours, no number of its own: where two minima of the gap merge (the fold of the table over u and
+ * yaw at which tread and flange contact become one) a walk around the fold leads from one to the other. */
+#include "tools/contact/link.h"
+
+#include <math.h>
+
+/* m, on the wheel.  As far as search.c keeps minima apart; from station to station the edge of a wing rail moves 6 mm in 0.1 m. */
+static const double reach[CTAB_LINKS] = {[CTAB_LINK_U] = 4e-3, [CTAB_LINK_YAW] = 4e-3, [CTAB_LINK_STATION] = 8e-3};
+
+/* Rows from[n][CTAB_N] of a node, their links link[n][CTAB_LINKS], rows to[m] of the next one. */
+static void link_nodes(const float *from, uint8_t *link, int n, const float *to, int m, enum ctab_link axis)
+{
+    unsigned taken = 0;
+
+    for (int pairs = n < m ? n : m; pairs > 0; pairs--) {
+        double best = reach[axis];
+        int i_best = -1, j_best = -1;
+        for (int i = 0; i < n; i++)
+            for (int j = 0; j < m && !link[i * CTAB_LINKS + axis]; j++) {
+                const float *a = from + i * CTAB_N, *b = to + j * CTAB_N;
+                double far = fabs((double)a[CTAB_WHEEL_Y] - (double)b[CTAB_WHEEL_Y]);
+                if (far < best && a[CTAB_BODY] == b[CTAB_BODY] && !(taken >> j & 1)) {
+                    best = far;
+                    i_best = i;
+                    j_best = j;
+                }
+            }
+        if (i_best < 0)
+            return;
+        link[i_best * CTAB_LINKS + axis] = (uint8_t)(j_best + 1);
+        taken |= 1u << j_best;
+    }
+}
+
+void link_rows(const struct ctab *t, uint8_t *link)
+{
+    for (int64_t is = 0; is < t->stations; is++)
+        for (int64_t iy = 0; iy < t->yaws; iy++)
+            for (int64_t iu = 0; iu < t->us; iu++) {
+                const int64_t next[CTAB_LINKS][3] = {{is, iy, iu + 1}, {is, iy + 1, iu}, {is + 1, iy, iu}};
+                int n, m;
+                const float *from = ctab_node(t, is, iy, iu, &n);
+                uint8_t *own = link + (from - t->row) / CTAB_N * CTAB_LINKS;
+                for (enum ctab_link axis = 0; axis < CTAB_LINKS; axis++) {
+                    const int64_t *at = next[axis];
+                    if (at[0] == t->stations || at[1] == t->yaws || at[2] == t->us)
+                        continue;
+                    const float *to = ctab_node(t, at[0], at[1], at[2], &m);
+                    link_nodes(from, own, n, to, m, axis);
+                }
+            }
+}
