@@ -56,6 +56,11 @@ struct vxf {
 const char *vxf_open(struct vxf *f, const char *path);
 void vxf_close(struct vxf *f);
 
+/* The same for a regular file already open, read instead of mapped: others may replace, remove or cut it short meanwhile. */
+const char *vxf_open_fd(struct vxf *f, int fd);
+/* Only preamble and header, checked: lines, names and shapes, for vxf_line, vxf_key and vxf_find, but no data. */
+const char *vxf_open_header(struct vxf *f, int fd);
+
 /* The kind must be this one. */
 const char *vxf_is(const struct vxf *f, const char *kind);
 

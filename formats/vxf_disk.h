@@ -56,7 +56,9 @@ uint64_t vxf_bytes(const struct vxf_array *a, int *overflow);
 /* The dims as text, "3x4" or "scalar". */
 void vxf_dims_text(const struct vxf_array *a, char *text, size_t size);
 
-/* Parts of vxf_open: the preamble against the size of the file, then the header into lists. */
+/* All of f->base[f->size]. */
+const char *vxf_check(struct vxf *f);
+/* Parts of it: the preamble against the size of the file, then the header into lists. */
 const char *vxf_check_preamble(const struct vxf *f, const struct vxf_preamble *p);
 const char *vxf_parse_header(struct vxf *f, const struct vxf_preamble *p);
 

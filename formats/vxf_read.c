@@ -180,7 +180,7 @@ static const char *place_blocks(struct vxf *f, uint64_t *at, int finished)
     return why;
 }
 
-static const char *check(struct vxf *f)
+const char *vxf_check(struct vxf *f)
 {
     struct vxf_preamble p;
     const char *why;
@@ -213,7 +213,7 @@ const char *vxf_open(struct vxf *f, const char *path)
     memset(f, 0, sizeof *f);
     why = map_or_slurp(f, path);
     if (!why)
-        why = check(f);
+        why = vxf_check(f);
     if (why)
         vxf_close(f);
     return why;

@@ -3,6 +3,7 @@
  * In: .prof of one wheel and one rail, or .ctab.  Out: .ctab, ctab(5), or text: contacts of a wheel, of a wheelset at rest, rolling
  * radius difference, equivalent conicity.  Rigid contacts of a surface of revolution (contact locus), Hertz patches; Klingel's
  * motion after EN 15302.  x forward, y to the right, z down, SI units. */
+#include "tools/cli/cache.h"
 #include "tools/cli/cli.h"
 #include "tools/cli/table.h"
 
@@ -25,7 +26,8 @@ static const char usage[] =
     "vxcontact --query u=M[,yaw=RAD][,s=M][,roll=RAD] TABLE\n"
     "vxcontact --wheelset y=M[,yaw=RAD][,s=M][,load=N] [--no-roll] LEFT RIGHT\n"
     "vxcontact --conicity M [--no-roll] LEFT RIGHT\n"
-    "vxcontact --rolling-radius [--no-roll] LEFT RIGHT";
+    "vxcontact --rolling-radius [--no-roll] LEFT RIGHT\n"
+    "vxcontact --cache-list | --cache-verify | --cache-prune days=N[,size=GB]";
 
 static const char *const yaw_methods[] = {"none", "exact", NULL};
 
@@ -34,6 +36,7 @@ static struct {
     int yaw, rolling_radius, no_roll;
     double conicity;                 /* m; 0 is not asked for */
     struct table_grid grid;
+    struct cli_cache_care cache;
 } opt = {
     .yaw = -1,
     .grid = {.u_max = 0.012, .u_step = 1e-4, .yaw_max = 0.02, .yaws = 21, .shear_modulus = 82e9, .poisson = 0.28},
@@ -54,6 +57,9 @@ static const struct cli_option options[] = {
     {.name = "conicity", .type = CLI_NUM, .value = &opt.conicity, .lo = 1e-6, .hi = 0.05},
     {.name = "rolling-radius", .type = CLI_FLAG, .value = &opt.rolling_radius},
     {.name = "no-roll", .type = CLI_FLAG, .value = &opt.no_roll},
+    {.name = "cache-list", .type = CLI_FLAG, .value = &opt.cache.list},
+    {.name = "cache-verify", .type = CLI_FLAG, .value = &opt.cache.verify},
+    {.name = "cache-prune", .type = CLI_TEXT, .value = &opt.cache.prune},
     {.name = "o", .type = CLI_TEXT, .value = &opt.out},
     {0},
 };
@@ -65,24 +71,25 @@ static const struct cli_program program = {
     .option = options,
 };
 
-/* Exactly one of the five forms of the usage. */
+/* Exactly one of the six forms of the usage. */
 static char **parse(int argc, char **argv)
 {
-    int n, build, forms;
+    int n, build, care, forms;
     char **operand = cli_begin(&program, argc, argv, 0, 2, &n);
 
     build = opt.wheel || opt.rail || opt.yaw >= 0;
-    forms = build + !!opt.query + !!opt.wheelset + (opt.conicity > 0) + opt.rolling_radius;
+    care = opt.cache.list + opt.cache.verify + !!opt.cache.prune;
+    forms = build + care + !!opt.query + !!opt.wheelset + (opt.conicity > 0) + opt.rolling_radius;
     if (forms != 1)
-        cli_misuse("give either --wheel, --rail and --yaw, or one of --query, --wheelset, --conicity, --rolling-radius");
+        cli_misuse("give either --wheel, --rail and --yaw, or one of --query, --wheelset, --conicity, --rolling-radius, --cache-...");
     if (build && !(opt.wheel && opt.rail && opt.yaw >= 0))
         cli_misuse("--wheel, --rail and --yaw must all be given");
     if (!build && opt.out)
         cli_misuse("-o is for a new table");
-    if (opt.no_roll && (build || opt.query))
+    if (opt.no_roll && (build || opt.query || care))
         cli_misuse("--no-roll is for a wheelset");
-    if (n != (build ? 0 : opt.query ? 1 : 2))
-        cli_misuse("%d operands, must be %s", n, build ? "none" : opt.query ? "one table" : "a left and a right table");
+    if (n != (build || care ? 0 : opt.query ? 1 : 2))
+        cli_misuse("%d operands, must be %s", n, build || care ? "none" : opt.query ? "one table" : "a left and a right table");
     return operand;
 }
 
@@ -102,6 +109,7 @@ static void open_prof(struct vxf *f, struct prof *p, const char *path)
 
 static void build_table(void)
 {
+    struct cli_cache cache;
     struct vxf wheel_file, rail_file;
     struct prof wheel, rail;
     struct ctab t;
@@ -109,7 +117,10 @@ static void build_table(void)
 
     open_prof(&wheel_file, &wheel, opt.wheel);
     open_prof(&rail_file, &rail, opt.rail);
-    cli_check(opt.rail, table_fill(&t, &wheel, &rail, opt.yaw ? TABLE_EXACT : TABLE_NONE, &opt.grid));
+    if (!cli_cache_find(&cache, options, TABLE_REVISION, &wheel_file, &rail_file, &t)) {
+        cli_check(opt.rail, table_fill(&t, &wheel, &rail, opt.yaw ? TABLE_EXACT : TABLE_NONE, &opt.grid));
+        cli_cache_keep(&cache, &t);
+    }
     vxf_out_begin(&o, "ctab");
     vxf_put_input(&o, &wheel_file);
     vxf_put_input(&o, &rail_file);
@@ -118,6 +129,7 @@ static void build_table(void)
     cli_write(&o, opt.out);
     vxf_out_free(&o);
     ctab_free(&t);
+    vxf_close(&cache.entry);
     prof_free(&wheel);
     prof_free(&rail);
     vxf_close(&wheel_file);
@@ -235,7 +247,9 @@ int main(int argc, char **argv)
 {
     char **operand = parse(argc, argv);
 
-    if (opt.query)
+    if (opt.cache.list || opt.cache.verify || opt.cache.prune)
+        cli_cache_care(&opt.cache);
+    else if (opt.query)
         print_query(operand[0]);
     else if (opt.wheelset || opt.rolling_radius || opt.conicity > 0)
         print_pair(operand);

@@ -10,4 +10,9 @@ void cli_remember(int argc, char **argv); /* keeps the command line for cli_comm
 void cli_forget(void);
 void cli_remove_outputs(void);            /* outputs begun and not closed */
 
+/* cli_create of a regular file and cli_close for one the program can do without: they return the reason.  Writing that failed with
+ * `why` ends with it, and nothing stays. */
+const char *cli_begin_file(struct cli_out *out, const char *path);
+const char *cli_end_file(struct cli_out *out, const char *why);
+
 #endif

@@ -85,20 +85,30 @@ static FILE *open_beside(char *name)
     return fdopen(fd, "wb");
 }
 
-void cli_create(struct cli_out *out, const char *path, int binary)
+const char *cli_begin_file(struct cli_out *out, const char *path)
 {
-    size_t n = path ? strlen(path) + 8 : 0;
+    size_t n = strlen(path) + 8;
 
-    *out = (struct cli_out){.path = path};
-    if (create_directly(out, path, binary))
-        return;
-    if (!(out->temporary = malloc(n)))
-        cli_die(REASON_MEMORY);
+    *out = (struct cli_out){.path = path, .temporary = malloc(n)};
+    if (!out->temporary)
+        return REASON_MEMORY;
     snprintf(out->temporary, n, "%s.XXXXXX", path);
     out->file = open_beside(out->temporary);
-    if (!out->file)
-        cli_die("%s: %s", path, strerror(errno));
+    if (!out->file) {
+        const char *why = strerror(errno);
+        free(out->temporary);
+        out->temporary = NULL;
+        return why;
+    }
     enrol(out);
+    return NULL;
+}
+
+void cli_create(struct cli_out *out, const char *path, int binary)
+{
+    *out = (struct cli_out){.path = path};
+    if (!create_directly(out, path, binary))
+        cli_check(path, cli_begin_file(out, path));
 }
 
 void cli_create_part(struct cli_out *out, const char *path)
@@ -117,28 +127,42 @@ void cli_create_part(struct cli_out *out, const char *path)
     enrol(out);
 }
 
+
 /* A write that failed before leaves no trace but ferror. */
 static const char *write_error(void)
 {
     return errno ? strerror(errno) : "write error";
 }
 
-void cli_close(struct cli_out *out)
+static void drop(struct cli_out *out)
 {
-    if (out->file == stdout) {
-        if (ferror(stdout) || fflush(stdout) != 0)
-            cli_die("standard output: %s", write_error());
-        return;
-    }
-    if (ferror(out->file) || fflush(out->file) != 0 || (out->temporary && fsync(fileno(out->file)) != 0) || fclose(out->file) != 0)
-        cli_die("%s: %s", out->path, write_error());
-    if (out->temporary && rename(out->temporary, out->path) != 0)
-        cli_die("%s: %s", out->path, strerror(errno));
     for (int i = 0; i < OUTPUTS; i++)
         if (open_outputs[i] == out)
             open_outputs[i] = NULL;
     free(out->temporary);
     out->temporary = NULL;
+}
+
+const char *cli_end_file(struct cli_out *out, const char *why)
+{
+    if (!why && (ferror(out->file) || fflush(out->file) != 0 || (out->temporary && fsync(fileno(out->file)) != 0)))
+        why = write_error();
+    if (fclose(out->file) != 0 && !why)
+        why = write_error();
+    if (!why && out->temporary && rename(out->temporary, out->path) != 0)
+        why = strerror(errno);
+    if (why && out->temporary && !out->keep)
+        unlink(out->temporary);
+    drop(out);
+    return why;
+}
+
+void cli_close(struct cli_out *out)
+{
+    if (out->file != stdout)
+        cli_check(out->path, cli_end_file(out, NULL));
+    else if (ferror(stdout) || fflush(stdout) != 0)
+        cli_die("standard output: %s", write_error());
 }
 
 void cli_write(struct vxf_out *o, const char *path)
