@@ -1,7 +1,8 @@
 # TAP for shell tests, sourced from the project root: . tests/tap.sh
 #
-# Programs are in build/bin, which is on PATH; $dir is a scratch folder that goes with the test.
+# Programs are in build/bin, which is on PATH, without a cache of tables; $dir is a scratch folder that goes with the test.
 
+unset VX_CACHE
 PATH=$PWD/build/bin:$PATH
 dir=$(mktemp -d) || exit 1
 trap 'rm -rf "$dir"' EXIT

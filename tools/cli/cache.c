@@ -80,11 +80,23 @@ int cli_cache_find(struct cli_cache *c, const struct cli_option *option, int rev
     why = cache_open(&c->entry, c->folder, c->name, &found);
     if (found && !why && (why = ctab_read(t, &c->entry)))
         vxf_close(&c->entry);
+    c->damaged = !!why;
     if (why)
         cli_note("%s/%s: %s; made anew", c->folder, c->name, why);
     else if (found)
         cache_touch(c->folder, c->name);
     return found && !why;
+}
+
+static int is_kept(const struct cli_cache *c)
+{
+    struct vxf f;
+    int found = 0;
+
+    if (c->damaged || cache_open_header(&f, c->folder, c->name, &found) || !found)
+        return 0;
+    vxf_close(&f);
+    return 1;
 }
 
 /* The entry has no history: two that keep the same table write the same bytes. */
@@ -95,7 +107,7 @@ void cli_cache_keep(struct cli_cache *c, const struct ctab *t)
     struct vxf_out o;
     const char *why;
 
-    if (!c->folder)
+    if (!c->folder || is_kept(c))
         return;
     vxf_out_begin(&o, "ctab");
     cache_put_key(&c->key, &o);

@@ -10,6 +10,7 @@ struct cli_cache {
     const char *folder;          /* NULL: no cache */
     struct cache_key key;
     char name[CACHE_NAME];
+    int damaged;                 /* the entry found, which is to be replaced */
     struct vxf entry;            /* what a table found points into: vxf_close when done */
 };
 
@@ -18,7 +19,7 @@ struct cli_cache {
 int cli_cache_find(struct cli_cache *c, const struct cli_option *option, int revision, const struct vxf *wheel, const struct vxf *rail,
                    struct ctab *t);
 
-/* Keeps the table made; a failure is told, and that is all. */
+/* Keeps the table made, where no other program has done so meanwhile; a failure is told, and that is all. */
 void cli_cache_keep(struct cli_cache *c, const struct ctab *t);
 
 /* What --cache-list, --cache-verify and --cache-prune ask for. */
