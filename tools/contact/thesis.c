@@ -87,7 +87,6 @@ void thesis_invert(double y, double z, double slope, double position, double rad
     p->r = radius + z + beyond * cut->dz;
     p->rate = slope * c;
     p->turn = 0;
-    p->x = -p->a * sin(yaw);
 }
 
 /* The leading wheelset of a bogie at one rail, the trailing one at the other. */
