@@ -114,19 +114,24 @@ struct overlap {
     int64_t lo, hi, off;
 };
 
-/* d(gap)/dy at the nodes lo .. hi into d: z_r' - z_w' + e' X + e X' - R e e'.  R' is left out: R e^2 is small and R nearly constant. */
+/* d(gap)/dy: z_r' - z_w' + e' X + e X' - R e e'.  R' is left out: R e^2 is small and R nearly constant. */
+static double gap_slope(const struct overlap *o, int64_t i)
+{
+    int64_t j = i + o->off;
+    double e = o->r->along[i];
+
+    return o->r->slope[i] - o->w->slope[j] + o->r->rate[i] * (o->w->along[j] - o->w->reach[j] * e) + e * o->w->rate[j];
+}
+
+/* At the nodes lo .. hi. */
 static void gap_slopes(const struct overlap *o, double *restrict d)
 {
     const double *rs = o->r->slope, *ws = o->w->slope + o->off;
-    const double *e = o->r->along, *e1 = o->r->rate;
-    const double *X = o->w->along + o->off, *X1 = o->w->rate + o->off, *R = o->w->reach + o->off;
 
     for (int64_t i = o->lo; i <= o->hi; i++)
         d[i] = rs[i] - ws[i];
-    if (o->r->level)
-        return;
-    for (int64_t i = o->lo; i <= o->hi; i++)
-        d[i] += e1[i] * (X[i] - R[i] * e[i]) + e[i] * X1[i];
+    for (int64_t i = o->lo; i <= o->hi && !o->r->level; i++)
+        d[i] = gap_slope(o, i);
 }
 
 static double gap_height(const struct overlap *o, int64_t i)
@@ -197,4 +202,19 @@ int gap_minima(const struct gap_search *s, const struct gap_curve *rail, const s
         n = keep(m, n, most, s->apart, &one);
     }
     return n;
+}
+
+int gap_at(const struct gap_curve *rail, const struct gap_curve *wheel, int64_t shift, double step, double y, struct gap_place *p)
+{
+    struct overlap o = {.r = rail, .w = wheel, .off = rail->first - wheel->first - shift};
+    double at = y / step - (double)rail->first;
+    int64_t i = (int64_t)at, j = i + o.off;
+
+    if (!(at >= 0) || i > rail->n - 2 || j < 0 || j > wheel->n - 2)
+        return 0;
+    double t = at - (double)i, d0 = gap_slope(&o, i), d1 = gap_slope(&o, i + 1);
+    struct hermite gap = hermite_at(gap_height(&o, i), d0, gap_height(&o, i + 1), d1, step, t);
+    struct hermite z = hermite_at(rail->z[i], rail->slope[i], rail->z[i + 1], rail->slope[i + 1], step, t);
+    *p = (struct gap_place){.gap = gap.z, .z = z.z, .slope = gap.slope, .rail = z.slope, .reach = between(wheel->reach + j, t)};
+    return !isnan(gap.slope);
 }

@@ -63,4 +63,13 @@ struct gap_search {
 int gap_minima(const struct gap_search *s, const struct gap_curve *rail, const struct gap_curve *wheel, int64_t shift, int ends,
                struct gap_minimum *m, int most);
 
+struct gap_place {
+    double gap, z;           /* m, z of the rail */
+    double slope, rail;      /* 1, of the gap and of the rail */
+    double reach;            /* m, R of the wheel */
+};
+
+/* What lies at y (m, on the rail) with the wheel moved so: 1, or 0 where one of the curves does not reach. */
+int gap_at(const struct gap_curve *rail, const struct gap_curve *wheel, int64_t shift, double step, double y, struct gap_place *p);
+
 #endif
