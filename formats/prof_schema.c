@@ -39,6 +39,12 @@ static const struct yaml_schema blade_schema = {"switch_rail", sizeof ((struct t
 static const struct yaml_schema wing_schema = {"wing_rail", sizeof ((struct turnout_text *)0)->wing, (const struct yaml_field[]){
     {"flangeway", YAML_NUM, offsetof(struct turnout_text, wing.flangeway) - offsetof(struct turnout_text, wing), YAML_POSITIVE,
      0.1, "m", NULL, "between wing rail and nose", NULL, NULL},
+    {"end", YAML_NUM, offsetof(struct turnout_text, wing.end) - offsetof(struct turnout_text, wing), YAML_POSITIVE, YAML_NO_LIMIT,
+     "m", YAML_ABSENT, "behind the mathematical point, where the wing rail ends; absent, where it is out of reach", NULL, NULL},
+    {"flare", YAML_NUM, offsetof(struct turnout_text, wing.flare) - offsetof(struct turnout_text, wing), YAML_POSITIVE, YAML_NO_LIMIT,
+     "m", YAML_ABSENT, "length at its end over which the flangeway opens", NULL, NULL},
+    {"opening", YAML_NUM, offsetof(struct turnout_text, wing.opening) - offsetof(struct turnout_text, wing), YAML_POSITIVE, 0.2,
+     "m", YAML_ABSENT, "flangeway at its end", NULL, NULL},
     {"edge_radius", YAML_NUM, offsetof(struct turnout_text, wing.edge_radius) - offsetof(struct turnout_text, wing),
      YAML_POSITIVE, 0.013, "m", "0.006", "rounding of the machined top's edge", NULL, NULL},
     {"crown_radius", YAML_NUM, offsetof(struct turnout_text, wing.crown_radius) - offsetof(struct turnout_text, wing),
@@ -58,6 +64,23 @@ static const struct yaml_schema nose_schema = {"nose", sizeof ((struct turnout_t
      "[width of the nose, its top below the plain rail's]; it begins at the first width", NULL, NULL},
     {0}}};
 
+static const struct yaml_schema check_schema = {"check_rail", sizeof ((struct turnout_text *)0)->check, (const struct yaml_field[]){
+    {"body", YAML_BOOL, offsetof(struct turnout_text, check.body) - offsetof(struct turnout_text, check), ANY, "", "false",
+     "the sections hold it; false where the track input's check_rail, a spring, guides the flange", NULL, NULL},
+    {"height", YAML_NUM, offsetof(struct turnout_text, check.height) - offsetof(struct turnout_text, check), 0, 0.06, "m", "0.02",
+     "its top above the rail's", NULL, NULL},
+    {"width", YAML_NUM, offsetof(struct turnout_text, check.width) - offsetof(struct turnout_text, check), 0.005, 0.1, "m", "0.025",
+     "of its level top", NULL, NULL},
+    {"edge_radius", YAML_NUM, offsetof(struct turnout_text, check.edge_radius) - offsetof(struct turnout_text, check), 1e-3, 0.02, "m",
+     "0.008", "between top and working face", NULL, NULL},
+    {"inclination", YAML_NUM, offsetof(struct turnout_text, check.inclination) - offsetof(struct turnout_text, check), 0.02, 0.5, "1",
+     "0.05", "of the working face to the vertical, the flangeway wider above", NULL, NULL},
+    {"step", YAML_NUM, offsetof(struct turnout_text, check.step) - offsetof(struct turnout_text, check), 1e-3, YAML_NO_LIMIT, "m", "0.35",
+     "between its sections at most; one stands at each pair of flangeway", NULL, NULL},
+    {"flangeway", YAML_PAIRS, offsetof(struct turnout_text, check.flangeway) - offsetof(struct turnout_text, check), ANY, "m", NULL,
+     "[distance behind the mathematical point, from the rail's running edge to the working face]: from its front to its end", NULL, NULL},
+    {0}}};
+
 static const struct yaml_schema turnout_schema = {"turnout", sizeof(struct turnout_text), (const struct yaml_field[]){
     {"radius", YAML_NUM, offsetof(struct turnout_text, radius), YAML_POSITIVE, YAML_NO_LIMIT, "m", NULL,
      "of the diverging track's centre line, from station 0 to the crossing angle", NULL, NULL},
@@ -73,6 +96,8 @@ static const struct yaml_schema turnout_schema = {"turnout", sizeof(struct turno
     {"switch_rail", YAML_MAP, offsetof(struct turnout_text, blade), ANY, "", NULL, "machining of the blade", &blade_schema, NULL},
     {"wing_rail", YAML_MAP, offsetof(struct turnout_text, wing), ANY, "", NULL, "behind the throat", &wing_schema, NULL},
     {"nose", YAML_MAP, offsetof(struct turnout_text, nose), ANY, "", NULL, "of the crossing", &nose_schema, NULL},
+    {"check_rail", YAML_MAP, offsetof(struct turnout_text, check), ANY, "", YAML_ABSENT, "beside the rail opposite the crossing",
+     &check_schema, NULL},
     {0}}};
 
 const struct yaml_schema prof_text_schema = {"profile", sizeof(struct prof_text), (const struct yaml_field[]){

@@ -28,6 +28,29 @@ static const char *table_check(const char *name, const struct yaml_nums *pairs)
     return NULL;
 }
 
+static const char *wing_check(const struct turnout_text *t)
+{
+    if (t->wing.end == 0 && (t->wing.flare != 0 || t->wing.opening != 0))
+        return "wing_rail: flare and opening want its end";
+    if ((t->wing.flare == 0) != (t->wing.opening == 0))
+        return "wing_rail: flare and opening go together";
+    if (t->wing.flare > t->wing.end || (t->wing.opening != 0 && t->wing.opening < t->wing.flangeway))
+        return reason("wing_rail: opens by %g m over %g m, but ends %g m behind the mathematical point",
+                      t->wing.opening - t->wing.flangeway, t->wing.flare, t->wing.end);
+    return NULL;
+}
+
+static const char *check_rail_check(const struct turnout_text *t)
+{
+    const struct yaml_nums *f = &t->check.flangeway;
+    const char *why = f->n ? table_check("check_rail.flangeway", f) : NULL;
+
+    for (int64_t i = 1; !why && i < f->n; i += 2)
+        if (!(f->x[i] > 0 && f->x[i] < 0.2))
+            why = reason("check_rail.flangeway: %g m, should be up to 0.2 m", f->x[i]);
+    return why;
+}
+
 static const char *turnout_check(const struct turnout_text *t)
 {
     const struct turnout_stations *s = t->stations.item;
@@ -39,7 +62,7 @@ static const char *turnout_check(const struct turnout_text *t)
         if (s[i].to < s[i].from || (i && s[i].from < s[i - 1].to))
             return reason("stations: %g to %g does not follow on", s[i].from, s[i].to);
     if ((why = table_check("switch_rail.lowering", &t->blade.lowering)) ||
-        (why = table_check("wing_rail.raise", &t->wing.raise)))
+        (why = table_check("wing_rail.raise", &t->wing.raise)) || (why = wing_check(t)) || (why = check_rail_check(t)))
         return why;
     return table_check("nose.lowering", &t->nose.lowering);
 }

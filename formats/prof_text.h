@@ -38,6 +38,9 @@ struct turnout_text {
     } blade;
     struct {
         double flangeway;          /* m, between wing rail and nose: fixes the throat */
+        double end;                /* m behind the mathematical point, where it ends; 0 where it goes on beyond `reach` */
+        double flare;              /* m, length at its end over which the flangeway opens */
+        double opening;            /* m, flangeway at its end; 0 where it does not open */
         double edge_radius;        /* m, of the machined top */
         double crown_radius;       /* m, of the machined top between its edge and where it is level */
         double level;              /* m, from the edge to where the top is level */
@@ -48,6 +51,15 @@ struct turnout_text {
         double edge_radius;        /* m */
         struct yaml_nums lowering; /* [width m, depth of its top below the rail's m]: begins at the first width */
     } nose;
+    struct {                       /* beside the rail opposite the crossing; flangeway.n = 0 where there is none */
+        int body;                  /* the sections hold it */
+        double height;             /* m, its top above the rail's */
+        double width;              /* m, of its level top */
+        double edge_radius;        /* m, between top and working face */
+        double inclination;        /* 1, of the working face to the vertical, the flangeway wider above */
+        double step;               /* m, between its sections at most */
+        struct yaml_nums flangeway; /* [m behind the mathematical point, m from the rail's running edge]: from its front to its end */
+    } check;
 };
 
 struct prof_text {

@@ -1,4 +1,4 @@
-/* Rail heads cut by machining: switch rail, wing rail and nose.
+/* Rail heads cut by machining: switch rail, wing rail and nose; and the face of a check rail.
  *
  * A right rail: y to the right, field side positive, z down from the top of the plain rail, the gauge face at -y.  What is left
  * of a head lies below all the surfaces it is cut by, so its own is the deepest of them; its edges are then rounded by the
@@ -33,5 +33,16 @@ struct head_top {
  * to a crown that carries a cone near the edge; the field side is that of the plain rail. */
 const char *head_wing(const struct section *rail, double share, const struct head_top *top, const struct head_options *o,
                       struct outline *wing);
+
+struct head_face {
+    double height;            /* m, of the top above the rail's */
+    double width;             /* m, of its level top */
+    double edge_radius;       /* m */
+    double inclination;       /* 1, to the vertical, leaning away from the rail */
+    double depth;             /* m below the rail's top, where the face stands at y = 0 */
+};
+
+/* A check rail inside a right rail: level top, rounded edge, working face down to `deepest` (m) below the rail's top. */
+const char *head_check(const struct head_face *face, double deepest, double spacing, struct outline *check);
 
 #endif

@@ -27,7 +27,7 @@ static void columns_raise(int64_t first, int64_t end, int64_t k, double d, const
 
 void opening_round(int64_t n, double step, double r, double *z, double *work)
 {
-    int64_t m = (int64_t)(r / step);
+    int64_t m = (int64_t)(r / step * (1 + 1e-12));
     double *centre = work, *disc = work + n;
 
     m = m < n ? m : n - 1;
