@@ -12,6 +12,7 @@
 #include "tools/contact/conicity.h"
 #include "tools/contact/lookup.h"
 #include "tools/contact/rows.h"
+#include "tools/contact/sweep.h"
 #include "tools/contact/table.h"
 #include "tools/contact/wheelset.h"
 
@@ -21,25 +22,26 @@
 enum { SWEEP_MOST = 4801 };
 
 static const char usage[] =
-    "vxcontact --wheel FILE --rail FILE --yaw none|exact [--u-max M] [--u-step M]\n"
+    "vxcontact --wheel FILE --rail FILE --yaw none|thesis|exact [--u-max M] [--u-step M]\n"
     "          [--yaw-max RAD] [--yaws N] [--shear-modulus PA] [--poisson NU] [-o FILE]\n"
     "vxcontact --query u=M[,yaw=RAD][,s=M][,roll=RAD] TABLE\n"
+    "vxcontact --sweep yaw=RAD[,s=M] TABLE...\n"
     "vxcontact --wheelset y=M[,yaw=RAD][,s=M][,load=N] [--no-roll] LEFT RIGHT\n"
     "vxcontact --conicity M [--no-roll] LEFT RIGHT\n"
     "vxcontact --rolling-radius [--no-roll] LEFT RIGHT\n"
     "vxcontact --cache-list | --cache-verify | --cache-prune days=N[,size=GB]";
 
-static const char *const yaw_methods[] = {"none", "exact", NULL};
+static const char *const yaw_methods[] = {"none", "thesis", "exact", NULL};
 
 static struct {
-    const char *wheel, *rail, *query, *wheelset, *out;
+    const char *wheel, *rail, *query, *sweep, *wheelset, *out;
     int yaw, rolling_radius, no_roll;
     double conicity;                 /* m; 0 is not asked for */
     struct table_grid grid;
     struct cli_cache_care cache;
 } opt = {
     .yaw = -1,
-    .grid = {.u_max = 0.012, .u_step = 1e-4, .yaw_max = 0.02, .yaws = 21, .shear_modulus = 82e9, .poisson = 0.28},
+    .grid = {.u_max = 0.012, .u_step = 1e-4, .shear_modulus = 82e9, .poisson = 0.28},
 };
 
 static const struct cli_option options[] = {
@@ -53,6 +55,7 @@ static const struct cli_option options[] = {
     {.name = "shear-modulus", .type = CLI_NUM, .value = &opt.grid.shear_modulus, .lo = 1e6, .hi = 1e13},
     {.name = "poisson", .type = CLI_NUM, .value = &opt.grid.poisson, .lo = 0, .hi = 0.5},
     {.name = "query", .type = CLI_TEXT, .value = &opt.query},
+    {.name = "sweep", .type = CLI_TEXT, .value = &opt.sweep},
     {.name = "wheelset", .type = CLI_TEXT, .value = &opt.wheelset},
     {.name = "conicity", .type = CLI_NUM, .value = &opt.conicity, .lo = 1e-6, .hi = 0.05},
     {.name = "rolling-radius", .type = CLI_FLAG, .value = &opt.rolling_radius},
@@ -75,21 +78,22 @@ static const struct cli_program program = {
 static char **parse(int argc, char **argv)
 {
     int n, build, care, forms;
-    char **operand = cli_begin(&program, argc, argv, 0, 2, &n);
+    char **operand = cli_begin(&program, argc, argv, 0, SWEEP_TABLES, &n);
 
     build = opt.wheel || opt.rail || opt.yaw >= 0;
     care = opt.cache.list + opt.cache.verify + !!opt.cache.prune;
-    forms = build + care + !!opt.query + !!opt.wheelset + (opt.conicity > 0) + opt.rolling_radius;
+    forms = build + care + !!opt.query + !!opt.sweep + !!opt.wheelset + (opt.conicity > 0) + opt.rolling_radius;
     if (forms != 1)
-        cli_misuse("give either --wheel, --rail and --yaw, or one of --query, --wheelset, --conicity, --rolling-radius, --cache-...");
+        cli_misuse("give either --wheel, --rail and --yaw, or one of --query, --sweep, --wheelset, --conicity, --rolling-radius, --cache-...");
     if (build && !(opt.wheel && opt.rail && opt.yaw >= 0))
         cli_misuse("--wheel, --rail and --yaw must all be given");
     if (!build && opt.out)
         cli_misuse("-o is for a new table");
-    if (opt.no_roll && (build || opt.query || care))
+    if (opt.no_roll && (build || opt.query || opt.sweep || care))
         cli_misuse("--no-roll is for a wheelset");
-    if (n != (build || care ? 0 : opt.query ? 1 : 2))
-        cli_misuse("%d operands, must be %s", n, build || care ? "none" : opt.query ? "one table" : "a left and a right table");
+    if (opt.sweep ? n == 0 : n != (build || care ? 0 : opt.query ? 1 : 2))
+        cli_misuse("%d operands, must be %s", n,
+                   build || care ? "none" : opt.sweep ? "one table or more" : opt.query ? "one table" : "a left and a right table");
     return operand;
 }
 
@@ -118,7 +122,7 @@ static void build_table(void)
     open_prof(&wheel_file, &wheel, opt.wheel);
     open_prof(&rail_file, &rail, opt.rail);
     if (!cli_cache_find(&cache, options, TABLE_REVISION, &wheel_file, &rail_file, &t)) {
-        cli_check(opt.rail, table_fill(&t, &wheel, &rail, opt.yaw ? TABLE_EXACT : TABLE_NONE, &opt.grid));
+        cli_check(opt.rail, table_fill(&t, &wheel, &rail, (enum table_yaw)opt.yaw, &opt.grid));
         cli_cache_keep(&cache, &t);
     }
     vxf_out_begin(&o, "ctab");
@@ -166,6 +170,31 @@ static void print_query(const char *path)
         cli_row(column + ROWS_CONTACT, ROWS_N - ROWS_CONTACT, row + ROWS_CONTACT);
     }
     vxf_close(&f);
+}
+
+static void print_tables(char **path)
+{
+    double yaw = 0, s = 0, row[SWEEP_N];
+    const struct cli_item item[] = {{"yaw", &yaw, -0.1, 0.1, 1}, {"s", &s, -1e5, 1e5, 0}};
+    struct vxf f[SWEEP_TABLES];
+    struct ctab t[SWEEP_TABLES];
+    struct column column[SWEEP_N];
+    char name[SWEEP_N][SWEEP_NAME];
+    int n = 0;
+
+    cli_items("sweep", opt.sweep, item, 2);
+    for (; path[n]; n++) {
+        open_table(&f[n], &t[n], path[n], n ? t[0].side : 0);
+        if (t[n].yaws > 1)
+            check_yaw(&t[n], path[n], yaw);
+    }
+    int columns = sweep_columns(t, n, name, column);
+    cli_header(column, columns);
+    for (int64_t i = 0; i < t[0].us; i++)
+        if (sweep_row(t, n, s, yaw, t[0].u[i], row))
+            cli_row(column, columns, row);
+    while (n > 0)
+        vxf_close(&f[--n]);
 }
 
 static void print_wheelset(const struct ctab *left, const struct ctab *right, double s, double yaw, double y, double load)
@@ -251,6 +280,8 @@ int main(int argc, char **argv)
         cli_cache_care(&opt.cache);
     else if (opt.query)
         print_query(operand[0]);
+    else if (opt.sweep)
+        print_tables(operand);
     else if (opt.wheelset || opt.rolling_radius || opt.conicity > 0)
         print_pair(operand);
     else

@@ -54,7 +54,7 @@ ok $? "rolling radius difference at 1 mm is 0.61 mm"
 fails 2 "no form" $bin/vxcontact "$l"
 fails 2 "two forms" $bin/vxcontact --rolling-radius --query u=0 "$l"
 fails 2 "rail missing" $bin/vxcontact --wheel "$tmp/wl.prof" --yaw exact
-fails 2 "unknown yaw method" $bin/vxcontact --wheel "$tmp/wl.prof" --rail "$tmp/rl.prof" --yaw thesis
+fails 2 "unknown yaw method" $bin/vxcontact --wheel "$tmp/wl.prof" --rail "$tmp/rl.prof" --yaw brush
 for q in yaw=0 u=0,u=0 u=x u=1,2 u= v=1 u=nan u=0x1 u=0, ; do
     fails 2 "--query $q" $bin/vxcontact --query $q "$l"
 done

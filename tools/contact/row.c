@@ -2,7 +2,7 @@
  * touch.  Roll turns a wheel point (y, z), counted from the running circle's lowest point, to (y - z roll, z + y roll):
  * dH/d(roll) = -(y + slope z), and the contact moves by d(y)/d(roll) = (1 + slope^2 + z_wheel'' z)/(z_rail'' - z_wheel'').  Yaw moves
  * it by (-y, x), counted from the wheelset's centre, and the wheel itself, which stays over its station, back by its own part
- * of that. */
+ * of that.  Between the yaws of thesis.h heights go straight. */
 #include "tools/contact/row.h"
 
 #include <math.h>
@@ -30,8 +30,11 @@ void row_make(const struct search_contact *c, const struct search *s, const stru
     double rail_k = m->end ? END_CURVATURE : m->rail_k, wheel_k = -m->wheel_k, both = (rail_k + wheel_k) * bend;
     double x = m->x - s->wheel_position * sin(yaw), y = m->y - u + s->rail_position;      /* from the wheelset's centre */
 
-    locus_invert(x, y, z, m->slope, t->radius, yaw, &p);
-    hertz_curvatures(wheel_k, 1 / (p.r * sqrt(1 + p.rate * p.rate)), rail_k, row_twist(&p, m->fall, yaw), &A, &B);
+    if (c->cut)
+        thesis_invert(x, y, z, m->slope, s->wheel_position, t->radius, yaw, c->cut, &p);
+    else
+        locus_invert(x, y, z, m->slope, t->radius, yaw, &p);
+    hertz_curvatures(wheel_k, 1 / (p.r * sqrt(1 + p.rate * p.rate)), rail_k, row_twist(&p, m->fall, c->cut ? 0 : yaw), &A, &B);
     hertz_contact(A, B, t->shear_modulus, t->poisson, &h);
     double roll_y = both > 0 ? (t2 - wheel_k * bend * z) / both : ROLL_Y_MOST;
     double value[CTAB_N] = {
@@ -48,7 +51,7 @@ void row_make(const struct search_contact *c, const struct search *s, const stru
         [CTAB_HERTZ_A] = h.a1,
         [CTAB_HERTZ_B] = h.b1,
         [CTAB_HEIGHT_U] = m->slope,
-        [CTAB_HEIGHT_YAW] = m->slope * x + m->fall * (s->wheel_position * cos(yaw) - y),
+        [CTAB_HEIGHT_YAW] = c->cut ? 0 : m->slope * x + m->fall * (s->wheel_position * cos(yaw) - y),
         [CTAB_HEIGHT_S] = m->fall,
         [CTAB_HEIGHT_ROLL] = -(y - s->wheel_position + m->slope * z),
         [CTAB_ROLL_Y] = m->end ? 0 : fmax(0, fmin(roll_y, ROLL_Y_MOST)),

@@ -65,8 +65,9 @@ static const char *search_room(struct search *s, int64_t points, int64_t rail_no
     double *wheel = room_take(&s->store, yaws * GAP_ARRAYS * wheel_nodes, sizeof *wheel);
 
     s->wheel = room_take(&s->store, yaws, sizeof *s->wheel);
+    s->cut = room_take(&s->store, yaws, sizeof *s->cut);
     s->gap.work = room_take(&s->store, rail_nodes, sizeof *s->gap.work);
-    if (!line || !rail || !wheel || !s->wheel || !s->gap.work)
+    if (!line || !rail || !wheel || !s->wheel || !s->cut || !s->gap.work)
         return REASON_MEMORY;
     s->line = line_at(line, points);
     s->line.reach = NULL;
@@ -79,21 +80,28 @@ static const char *search_room(struct search *s, int64_t points, int64_t rail_no
 }
 
 /* The wheel's polyline, in s->line, as it is seen along the track. */
-static void silhouette_make(struct search *s, double radius, double yaw)
+static const char *silhouette_make(struct search *s, double radius, double yaw, struct thesis_cut *cut)
 {
     struct gap_line *o = &s->silhouette;
     const struct locus_wheel w = {s->line.n, s->line.y, s->line.z, s->line.slope, s->line.k, s->wheel_position, radius};
 
+    const struct locus l = {o->y, o->z, o->slope, o->along, o->reach};
+    const char *why = NULL;
+
     o->n = w.n;
-    locus_silhouette(&w, yaw, &(struct locus){o->y, o->z, o->slope, o->along, o->reach});
+    if (s->method == SEARCH_SILHOUETTE)
+        locus_silhouette(&w, yaw, &l);
+    else if (!(why = thesis_section(&w, yaw, cut)))
+        thesis_profile(&w, yaw, cut, &l);
     for (int64_t i = 0; i < o->n; i++) {
         o->y[i] -= s->rail_position;
         o->k[i] = w.k[i];
     }
+    return why;
 }
 
 const char *search_begin(struct search *s, const struct prof *wheel, const struct prof *rail, const double *yaw, int64_t yaws,
-                         double step)
+                         enum search_wheel method, double step)
 {
     /* Yaw narrows a silhouette, but moves points of slope up to 1/tan(yaw) by r0 tan(yaw) at most. */
     int64_t spare = (int64_t)ceil(2 * wheel->radius * yaw[yaws - 1] / step);
@@ -101,14 +109,15 @@ const char *search_begin(struct search *s, const struct prof *wheel, const struc
     int64_t wheel_nodes = widest(wheel, step) + 2 * spare;
     const char *why;
 
-    *s = (struct search){.mirror = wheel->side == 'l', .gap = {.step = step, .apart = APART}};
+    *s = (struct search){.mirror = wheel->side == 'l', .method = method, .gap = {.step = step, .apart = APART}};
     s->wheel_position = s->mirror ? -wheel->position : wheel->position;
     s->rail_position = s->mirror ? -rail->position : rail->position;
     if ((why = search_room(s, points, widest(rail, step), wheel_nodes, yaws)))
         return why;
     poly_copy(wheel, 0, s->mirror, &s->line);
     for (int64_t i = 0; i < yaws; i++) {
-        silhouette_make(s, wheel->radius, yaw[i]);
+        if ((why = silhouette_make(s, wheel->radius, yaw[i], &s->cut[i])))
+            return why;
         if (gap_nodes(s->silhouette.y, s->silhouette.n, step) > wheel_nodes)
             return reason("wheel profile too steep for a yaw of %g rad", yaw[i]);
         gap_tabulate(&s->silhouette, step, &s->wheel[i]);
@@ -161,7 +170,7 @@ int search_contacts(const struct search *s, int64_t iy, int64_t shift, struct se
             int i = n < SEARCH_MOST ? n++ : n - 1;
             for (; i > 0 && c[i - 1].at.gap > found[k].gap; i--)
                 c[i] = c[i - 1];
-            c[i] = (struct search_contact){.at = found[k], .body = s->body[b]};
+            c[i] = (struct search_contact){.at = found[k], .body = s->body[b], .cut = s->method == SEARCH_THESIS ? &s->cut[iy] : NULL};
         }
     }
     while (n > 0 && c[n - 1].at.gap > c[0].at.gap + WITHIN)

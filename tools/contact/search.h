@@ -7,6 +7,9 @@
 #include "formats/prof.h"
 #include "tools/contact/gap.h"
 #include "tools/contact/locus.h"
+#include "tools/contact/thesis.h"
+
+enum search_wheel { SEARCH_SILHOUETTE, SEARCH_THESIS };
 
 enum { SEARCH_MOST = 8, SEARCH_BODY_MOST = 3, SEARCH_BODIES = 8 };
 
@@ -17,6 +20,8 @@ struct search {
     void *store;
     struct gap_line line;                    /* room for the longest polyline */
     struct gap_line silhouette;              /* room for the wheel's */
+    enum search_wheel method;
+    struct thesis_cut *cut;                  /* [yaws] by SEARCH_THESIS */
     struct gap_curve *wheel;                 /* [yaws] y from the rail's origin */
     struct gap_curve rail[SEARCH_BODIES];
     int body[SEARCH_BODIES], ends[SEARCH_BODIES], bodies;
@@ -25,11 +30,12 @@ struct search {
 struct search_contact {
     struct gap_minimum at;
     int body;
+    const struct thesis_cut *cut;            /* of the wheel's profile, NULL where it is a silhouette */
 };
 
-/* Tabulates the silhouettes for yaw[yaws] (rad, even about 0); to be released by search_free, also after a failure. */
+/* Tabulates the silhouettes, or profiles as of thesis.h, for yaw[yaws] (rad, even about 0); to be released by search_free, also after a failure. */
 const char *search_begin(struct search *s, const struct prof *wheel, const struct prof *rail, const double *yaw, int64_t yaws,
-                         double step);
+                         enum search_wheel method, double step);
 void search_free(struct search *s);
 
 /* Tabulates the rail bodies of a section. */

@@ -10,9 +10,14 @@
 
 #include "formats/reason.h"
 #include "formats/room.h"
+#include "tools/contact/clearance.h"
 #include "tools/contact/link.h"
 #include "tools/contact/row.h"
 #include "tools/contact/search.h"
+
+#define YAW_MAX 0.02          /* rad, and how many, where not given */
+#define YAWS 21
+#define YAWS_THESIS 3
 
 /* A table being filled. */
 struct filling {
@@ -119,20 +124,41 @@ static const char *check_pair(const struct prof *wheel, const struct prof *rail)
     return NULL;
 }
 
-const char *table_fill(struct ctab *t, const struct prof *wheel, const struct prof *rail, enum table_yaw method,
-                       const struct table_grid *g)
+/* What g leaves to the method. */
+static const char *grid_complete(const struct prof *wheel, const struct prof *rail, enum table_yaw method, struct table_grid *g)
 {
-    struct filling f = {.t = t};
-    const char *why;
+    double clearance;
+    const char *why = NULL;
 
+    if (g->yaws == 0)
+        g->yaws = method == TABLE_THESIS ? YAWS_THESIS : YAWS;
+    if (g->yaw_max > 0)
+        return NULL;
+    g->yaw_max = YAW_MAX;
+    if (method == TABLE_THESIS && !(why = clearance_find(wheel, rail, g->u_max, g->u_step, &clearance)))
+        g->yaw_max = thesis_yaw(clearance);
+    return why;
+}
+
+const char *table_fill(struct ctab *t, const struct prof *wheel, const struct prof *rail, enum table_yaw method,
+                       const struct table_grid *grid)
+{
+    static const char *const name[] = {"none", "thesis", "exact"};
+    struct table_grid g = *grid;
+    struct filling f = {.t = t};
+    const char *why = check_pair(wheel, rail);
+
+    *t = (struct ctab){0};
+    if (why || (why = grid_complete(wheel, rail, method, &g)))
+        return why;
     *t = (struct ctab){
-        .side = wheel->side, .yaws = method == TABLE_NONE ? 1 : g->yaws, .stations = rail->sections,
-        .shear_modulus = g->shear_modulus, .poisson = g->poisson, .radius = wheel->radius,
+        .side = wheel->side, .yaws = method == TABLE_NONE ? 1 : g.yaws, .stations = rail->sections,
+        .shear_modulus = g.shear_modulus, .poisson = g.poisson, .radius = wheel->radius,
         .rail_position = rail->position, .wheel_position = wheel->position,
     };
-    memcpy(t->yaw_method, method == TABLE_NONE ? "none" : "exact", method == TABLE_NONE ? 5 : 6);
-    if (!(why = check_pair(wheel, rail)) && !(why = axes_room(&f, rail, g)))
-        why = search_begin(&f.search, wheel, rail, t->yaw, t->yaws, g->u_step);
+    memcpy(t->yaw_method, name[method], strlen(name[method]));
+    if (!(why = axes_room(&f, rail, &g)))
+        why = search_begin(&f.search, wheel, rail, t->yaw, t->yaws, method == TABLE_THESIS ? SEARCH_THESIS : SEARCH_SILHOUETTE, g.u_step);
     for (int64_t is = 0; !why && is < t->stations; is++) {
         why = search_section(&f.search, rail, is);
         for (int64_t iy = 0; !why && iy < t->yaws; iy++)

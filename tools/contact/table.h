@@ -12,13 +12,14 @@ enum { TABLE_REVISION = 2 };
 
 enum table_yaw {
     TABLE_NONE,              /* the orthogonal wheelset: one yaw, 0 */
+    TABLE_THESIS,            /* the profile turned in two dimensions, closed over a section removed (thesis.h) */
     TABLE_EXACT              /* silhouette of the yawed wheel (locus.h) */
 };
 
 struct table_grid {
     double u_max, u_step;    /* m, u runs over -u_max .. u_max; the step is that of the gap search too */
-    double yaw_max;          /* rad */
-    int64_t yaws;            /* over -yaw_max .. yaw_max, both included */
+    double yaw_max;          /* rad; 0: 0.02, by TABLE_THESIS where a flange touches (clearance.h) */
+    int64_t yaws;            /* over -yaw_max .. yaw_max, both included; 0: 21, by TABLE_THESIS 3 */
     double shear_modulus;    /* Pa */
     double poisson;          /* 1 */
 };

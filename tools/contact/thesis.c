@@ -17,30 +17,31 @@
 #define BASE 1.8              /* m, between the wheelsets of a Y25 bogie, the shortest in main-line use */
 
 /* Between the flange's tip and the running circle: the steepest point. */
-static int64_t steepest(const double *y, const double *z, const double *slope, int64_t n)
+static int64_t steepest(const struct locus_wheel *w)
 {
     int64_t tip = 0, at;
 
-    for (int64_t i = 1; i < n && y[i] < 0; i++)
-        tip = z[i] > z[tip] ? i : tip;
+    for (int64_t i = 1; i < w->n && w->y[i] < 0; i++)
+        tip = w->z[i] > w->z[tip] ? i : tip;
     at = tip;
-    for (int64_t i = tip; i < n && y[i] < 0; i++)
-        at = slope[i] < slope[at] ? i : at;
+    for (int64_t i = tip; i < w->n && w->y[i] < 0; i++)
+        at = w->slope[i] < w->slope[at] ? i : at;
     return at;
 }
 
-const char *thesis_section(const double *y, const double *z, const double *slope, int64_t n, double radius, double yaw,
-                           struct thesis_cut *cut)
+const char *thesis_section(const struct locus_wheel *w, double yaw, struct thesis_cut *cut)
 {
+    const double *y = w->y, *z = w->z;
+
     *cut = (struct thesis_cut){0};
     if (yaw == 0)
         return NULL;
 
-    int64_t face = steepest(y, z, slope, n), a = face;
-    double m = -slope[face], delta = 0.5 * (radius + z[face]) * m * tan(yaw) * tan(yaw), before = 0;
+    int64_t face = steepest(w), a = face;
+    double m = -w->slope[face], delta = 0.5 * (w->radius + z[face]) * m * tan(yaw) * tan(yaw), before = 0;
     if (!(m > ROOT))
         return "the wheel's profile has no flange steeper than 45 degrees";
-    while (a < n - 1 && slope[a] <= -ROOT)
+    while (a < w->n - 1 && w->slope[a] <= -ROOT)
         a++;
     for (int64_t b = a - 1; b >= face; b--) {
         double advance = y[a] - y[b] - (z[b] - z[a]) / m;
@@ -56,37 +57,38 @@ const char *thesis_section(const double *y, const double *z, const double *slope
     return reason("the section that a yaw of %g rad removes is longer than the flange's root", yaw);
 }
 
-void thesis_profile(const double *y, const double *z, const double *slope, int64_t n, double position, double yaw,
-                    const struct thesis_cut *cut, double *ly, double *lz, double *lslope)
+void thesis_profile(const struct locus_wheel *w, double yaw, const struct thesis_cut *cut, const struct locus *o)
 {
-    double c = cos(yaw), dy = 0, dz = 0;
+    double c = cos(yaw), s = sin(yaw);
 
-    for (int64_t i = n - 1; i >= 0; i--) {
-        if (cut->dy > 0 && y[i] < cut->y && dy == 0) {
-            if (y[i] + cut->dy > cut->y) {                         /* removed */
-                ly[i] = ly[i + 1];
-                lz[i] = lz[i + 1];
-                lslope[i] = lslope[i + 1];
-                continue;
-            }
-            dy = cut->dy;
-            dz = cut->dz;
+    for (int64_t i = w->n - 1; i >= 0; i--) {
+        int beyond = cut->dy > 0 && w->y[i] < cut->y;
+        if (beyond && w->y[i] + cut->dy > cut->y) {                /* removed */
+            o->y[i] = o->y[i + 1];
+            o->z[i] = o->z[i + 1];
+            o->slope[i] = o->slope[i + 1];
+            o->x[i] = o->x[i + 1];
+            o->reach[i] = o->reach[i + 1];
+            continue;
         }
-        ly[i] = (position + y[i] + dy) * c;
-        lz[i] = z[i] - dz;
-        lslope[i] = slope[i] / c;
+        o->y[i] = (w->position + w->y[i] + beyond * cut->dy) * c;
+        o->z[i] = w->z[i] - beyond * cut->dz;
+        o->slope[i] = w->slope[i] / c;
+        o->x[i] = -w->y[i] * s;
+        o->reach[i] = w->radius + w->z[i];
     }
 }
 
-void thesis_invert(double y, double z, double slope, double position, double radius, double yaw, const struct thesis_cut *cut,
+void thesis_invert(double x, double y, double z, double slope, double position, double radius, double yaw, const struct thesis_cut *cut,
                    struct locus_point *p)
 {
     double c = cos(yaw), beyond = y / c - position < cut->y && cut->dy > 0;
 
     p->a = y / c - beyond * cut->dy;
-    p->r = radius + z + beyond * cut->dz;
-    p->rate = slope * c;
-    p->turn = 0;
+    double ahead = x + p->a * sin(yaw), down = radius + z + beyond * cut->dz;
+    p->r = hypot(ahead, down);
+    p->turn = atan2(ahead, down);
+    p->rate = slope * c * down / p->r;                             /* z = sqrt(r(a)^2 - ahead^2) */
 }
 
 /* The leading wheelset of a bogie at one rail, the trailing one at the other. */

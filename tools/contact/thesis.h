@@ -6,8 +6,6 @@
 #ifndef VX_CONTACT_THESIS_H
 #define VX_CONTACT_THESIS_H
 
-#include <stdint.h>
-
 #include "tools/contact/locus.h"
 
 /* The section removed; zeroed, none. */
@@ -16,20 +14,18 @@ struct thesis_cut {
     double dy, dz;     /* m, what lies beyond it moves dy out to the rail and dz up to close the profile */
 };
 
-/* The section to be removed from points y, z (m, profile axes, y increasing) and slopes [n] at this rolling radius (m) and yaw (rad). */
-const char *thesis_section(const double *y, const double *z, const double *slope, int64_t n, double radius, double yaw,
-                           struct thesis_cut *cut);
+/* The section to be removed at this yaw (rad); y of the wheel increases. */
+const char *thesis_section(const struct locus_wheel *w, double yaw, struct thesis_cut *cut);
 
-/* The profile turned by yaw, its origin at `position` (m) on the axle, and closed over the cut, into ly, lz (m) and lslope [n] as of
- * locus_silhouette.  Points of the section removed all fall on its end at the tread. */
-void thesis_profile(const double *y, const double *z, const double *slope, int64_t n, double position, double yaw,
-                    const struct thesis_cut *cut, double *ly, double *lz, double *lslope);
+/* The profile turned by yaw and closed over the cut, as locus_silhouette gives a silhouette.  Points of the section removed all fall on its
+ * end at the tread. */
+void thesis_profile(const struct locus_wheel *w, double yaw, const struct thesis_cut *cut, const struct locus *o);
 
-/* The wheel's point that appears at y, z with this slope in that profile. */
-void thesis_invert(double y, double z, double slope, double position, double radius, double yaw, const struct thesis_cut *cut,
+/* The wheel's point seen at x, y, z, all from the wheelset's centre, where that profile has this slope; wheel as of locus_wheel. */
+void thesis_invert(double x, double y, double z, double slope, double position, double radius, double yaw, const struct thesis_cut *cut,
                    struct locus_point *p);
 
-/* Largest yaw (rad) of a wheelset that moves by `clearance` (m) to either side before a flange touches: rad. */
+/* Largest yaw (rad) of a wheelset that moves by `clearance` (m) to either side before a flange touches. */
 double thesis_yaw(double clearance);
 
 #endif

@@ -9,6 +9,7 @@
 #include "tools/draw/receptance.h"
 #include "tools/draw/sections.h"
 #include "tools/draw/tables.h"
+#include "tools/draw/yaw.h"
 
 static const char *make_receptance(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
 {
@@ -102,6 +103,16 @@ static const char *make_table(struct chart *c, int n, const struct figure_input 
     return tables_chart(c, in[0].table);
 }
 
+static const char *make_yaw(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
+{
+    const char *why = NULL;
+
+    (void)o;
+    for (int k = 0; k < n && !why; k++)
+        why = yaw_add(c, in[k].table, k, n, in[k].label ? in[k].label : in[k].name);
+    return why;
+}
+
 static const char *make_runs(runs_add *add, struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
 {
     const char *why = NULL;
@@ -123,6 +134,7 @@ const struct figure figures[] = {
     {"pairs", "prof prof ctab", "points of wheel and rail that touch, over all displacements", make_pairs, NULL},
     {"radius", "ctab ctab", "rolling radius difference over lateral displacement", make_radius, NULL},
     {"radius", "text", "the same from vxcontact --rolling-radius, with roll", make_rolling_radius, NULL},
+    {"yaw", "text ...", "the contact that touches, from vxcontact --sweep, by method", make_yaw, NULL},
     {"table", "text", "columns of numbers over the first, a panel for each unit", make_table, NULL},
     {"vertical", "run ...", "vertical force Q of --wheelset, left and right", NULL, runs_vertical},
     {"lateral", "run ...", "lateral force Y of --wheelset, left and right", NULL, runs_lateral},
