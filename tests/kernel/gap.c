@@ -6,16 +6,19 @@
 #define STEP 1e-4
 enum { N = 2001 };
 
-static double y[N], z[N], slope[N], k[N], along[N], wheel_reach[N], work[2 * N];
+static double y[N], z[N], slope[N], k[N], along[N], bend[N], work[2 * N];
 static double store[2][GAP_ARRAYS][2 * N];
 static const struct gap_search search = {.step = STEP, .apart = 4e-3, .work = work};
 
 /* The first n points of the arrays above, tabulated into curve i. */
 static struct gap_curve curve(int i, int n)
 {
-    struct gap_curve c = {.z = store[i][0], .slope = store[i][1], .k = store[i][2], .along = store[i][3], .rate = store[i][4], .reach = store[i][5]};
+    for (int j = 0; j < n; j++)
+        bend[j] = 2;
+    struct gap_curve c = {.z = store[i][0], .slope = store[i][1], .k = store[i][2], .along = store[i][3], .along_y = store[i][4],
+                          .bend = store[i][5], .bend_y = store[i][6]};
 
-    gap_tabulate(&(struct gap_line){n, y, z, slope, k, along, wheel_reach}, STEP, &c);
+    gap_tabulate(&(struct gap_line){n, y, z, slope, k, along, bend}, STEP, &c);
     return c;
 }
 

@@ -40,7 +40,8 @@ int64_t gap_nodes(const double *y, int64_t n, double step)
 /* The piece from point i to i + 1 onto the nodes it covers and lies lowest on. */
 static void tabulate_piece(const struct gap_line *l, int64_t i, double step, struct gap_curve *c)
 {
-    double h = l->y[i + 1] - l->y[i], rate = (l->along[i + 1] - l->along[i]) / h;
+    double h = l->y[i + 1] - l->y[i], along_y = (l->along[i + 1] - l->along[i]) / h;
+    double bend_y = (l->bend[i + 1] - l->bend[i]) / h;
     int64_t end = (int64_t)floor(l->y[i + 1] / step);
 
     for (int64_t j = (int64_t)ceil(l->y[i] / step); j <= end; j++) {
@@ -52,10 +53,10 @@ static void tabulate_piece(const struct gap_line *l, int64_t i, double step, str
         c->z[at] = p.z;
         c->slope[at] = p.slope;
         c->k[at] = l->k[i] + t * (l->k[i + 1] - l->k[i]);
-        c->along[at] = l->along[i] + d * rate;
-        c->rate[at] = rate;
-        if (l->reach)
-            c->reach[at] = l->reach[i] + t * (l->reach[i + 1] - l->reach[i]);
+        c->along[at] = l->along[i] + d * along_y;
+        c->along_y[at] = along_y;
+        c->bend[at] = l->bend[i] + d * bend_y;
+        c->bend_y[at] = bend_y;
     }
 }
 
@@ -114,13 +115,22 @@ struct overlap {
     int64_t lo, hi, off;
 };
 
-/* d(gap)/dy: z_r' - z_w' + e' X + e X' - R e e'.  R' is left out: R e^2 is small and R nearly constant. */
+/* Where a plane of fall e and bend k is nearest to a wheel of X and b: x, and how much nearer it is there than z_r - z_w. */
+static double nearest(double e, double k, double X, double b, double *x)
+{
+    *x = (b * X - e) / (b + k);
+    return *x * (e + 0.5 * k * *x) + 0.5 * b * (*x - X) * (*x - X);
+}
+
+/* d(gap)/dy, at the x where the gap is least: z_r' - z_w' + e' x + k' x^2/2 + b' (x - X)^2/2 - b (x - X) X'. */
 static double gap_slope(const struct overlap *o, int64_t i)
 {
+    const struct gap_curve *r = o->r, *w = o->w;
     int64_t j = i + o->off;
-    double e = o->r->along[i];
+    double X = w->along[j], b = w->bend[j], x = (b * X - r->along[i]) / (b + r->bend[i]), behind = x - X;
 
-    return o->r->slope[i] - o->w->slope[j] + o->r->rate[i] * (o->w->along[j] - o->w->reach[j] * e) + e * o->w->rate[j];
+    return r->slope[i] - w->slope[j] + x * (r->along_y[i] + 0.5 * r->bend_y[i] * x) +
+           behind * (0.5 * w->bend_y[j] * behind - b * w->along_y[j]);
 }
 
 /* At the nodes lo .. hi. */
@@ -137,9 +147,9 @@ static void gap_slopes(const struct overlap *o, double *restrict d)
 static double gap_height(const struct overlap *o, int64_t i)
 {
     int64_t j = i + o->off;
-    double e = o->r->along[i];
+    double x;
 
-    return o->r->z[i] - o->w->z[j] + e * (o->w->along[j] - 0.5 * o->w->reach[j] * e);
+    return o->r->z[i] - o->w->z[j] + nearest(o->r->along[i], o->r->bend[i], o->w->along[j], o->w->bend[j], &x);
 }
 
 static double between(const double *a, double t)
@@ -158,10 +168,12 @@ static struct gap_minimum minimum_at(const struct overlap *o, const double *d, i
         rail = hermite_at(r->z[i], r->slope[i], r->z[i + 1], r->slope[i + 1], step, t);
         gap = hermite_at(gap.z, d[i], gap_height(o, i + 1), d[i + 1], step, t);
     }
-    double e = between(r->along + i, t), x = between(w->along + j, t) - between(w->reach + j, t) * e;
+    double e = between(r->along + i, t), k = between(r->bend + i, t), x;
+    nearest(e, k, between(w->along + j, t), between(w->bend + j, t), &x);
     return (struct gap_minimum){
-        .y = ((double)(r->first + i) + t) * step, .gap = gap.z, .x = x, .z = rail.z + e * x, .slope = rail.slope + between(r->rate + i, t) * x,
-        .fall = e, .rail_k = between(r->k + i, t), .wheel_k = between(w->k + j, t),
+        .y = ((double)(r->first + i) + t) * step, .gap = gap.z, .x = x, .z = rail.z + x * (e + 0.5 * k * x),
+        .slope = rail.slope + x * (r->along_y[i] + 0.5 * r->bend_y[i] * x), .fall = e + k * x,
+        .rail_k = between(r->k + i, t), .wheel_k = between(w->k + j, t),
     };
 }
 
@@ -215,6 +227,6 @@ int gap_at(const struct gap_curve *rail, const struct gap_curve *wheel, int64_t 
     double t = at - (double)i, d0 = gap_slope(&o, i), d1 = gap_slope(&o, i + 1);
     struct hermite gap = hermite_at(gap_height(&o, i), d0, gap_height(&o, i + 1), d1, step, t);
     struct hermite z = hermite_at(rail->z[i], rail->slope[i], rail->z[i + 1], rail->slope[i + 1], step, t);
-    *p = (struct gap_place){.gap = gap.z, .z = z.z, .slope = gap.slope, .rail = z.slope, .reach = between(wheel->reach + j, t)};
+    *p = (struct gap_place){.gap = gap.z, .z = z.z, .slope = gap.slope, .rail = z.slope, .reach = 1 / between(wheel->bend + j, t)};
     return !isnan(gap.slope);
 }

@@ -1,12 +1,12 @@
 /* Local minima of the gap between a rail and a wheel, both tabulated on one even lateral grid.
  *
- * y to the right, z down, x forward from the section.  The rail's surface is z_r(y) + e(y) x, e its fall; the wheel's near its
- * silhouette z_w(y), which lies at x = X(y), is z_w - (x - X)^2/(2 R).  In each plane y = const they come nearest at
+ * y to the right, z down, x forward from the section.  The rail's surface is z_r(y) + e(y) x + k(y) x^2/2, e its fall and k its
+ * bend along the track; the wheel's near its silhouette z_w(y), which lies at x = X(y), is z_w - b(y) (x - X)^2/2.  In each plane
+ * y = const they come nearest at
  *
- *     x = X - R e,    gap(y) = z_r - z_w + e X - R e^2/2
+ *     x = (b X - e)/(b + k),    gap(y) = z_r - z_w + e x + k x^2/2 + b (x - X)^2/2
  *
- * to second order in e.  A wheel whose running circle hangs at height H touches where gap(y) = H, and touches first where that is
- * smallest.  Node j of the grid is y = j step, so u that is a multiple of the step shifts by whole nodes. */
+ * A wheel whose running circle hangs at height H touches where gap(y) = H, and touches first where that is smallest.  Node j of the grid is y = j step, so u that is a multiple of the step shifts by whole nodes. */
 #ifndef VX_CONTACT_GAP_H
 #define VX_CONTACT_GAP_H
 
@@ -18,20 +18,20 @@ struct gap_line {
     double *y, *z;           /* m */
     double *slope;           /* 1 dz/dy */
     double *k;               /* 1/m curvature, handed through */
-    double *along;           /* rail: 1 fall e; wheel: m X */
-    double *reach;           /* wheel: m R; a rail's is not read */
+    double *along;           /* rail: 1 e; wheel: m X */
+    double *bend;            /* 1/m, rail: k; wheel: b */
 };
 
 /* On the grid.  A node that nothing covers has the slope NaN. */
 struct gap_curve {
     int64_t first, n;        /* nodes first .. first + n - 1 of the grid */
     double *z, *slope, *k;   /* as above [n] */
-    double *along, *rate;    /* e or X, and its derivative by y [n] */
-    double *reach;           /* wheel: [n] R */
+    double *along, *along_y; /* e or X, and its derivative by y [n] */
+    double *bend, *bend_y;   /* k or b, the same [n] */
     int level;               /* e or X is 0 everywhere */
 };
 
-enum { GAP_ARRAYS = 6 };     /* of n doubles in a gap_curve */
+enum { GAP_ARRAYS = 7 };     /* of n doubles in a gap_curve */
 
 enum { GAP_LEFT_END = 1, GAP_RIGHT_END = 2 };
 
@@ -40,7 +40,7 @@ struct gap_minimum {
     double gap;              /* m */
     double x;                /* m, ahead of the section */
     double z, slope;         /* m, 1, of the rail there, at x; the wheel's slope at an end of the rail */
-    double fall;             /* 1, e */
+    double fall;             /* 1, of the rail there, e + k x */
     double rail_k, wheel_k;  /* 1/m, as handed through */
     int end;                 /* the end of the rail's polyline, not a smooth minimum */
 };

@@ -20,7 +20,7 @@ struct locus {
     double *y, *z;             /* m [n] */
     double *slope;             /* 1 [n] dz/dy of the silhouette */
     double *x;                 /* m [n] how far ahead it lies */
-    double *reach;             /* m [n] R: in the plane y = const the wheel's surface is z - (x' - x)^2/(2 R) */
+    double *bend;              /* 1/m [n] b: in the plane y = const the wheel's surface is z - b (x' - x)^2/2 */
 };
 
 /* Turned by yaw (rad).  A point too steep to be on the silhouette has y NaN.  Where the silhouette folds, y goes back; what lies lowest

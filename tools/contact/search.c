@@ -9,7 +9,20 @@
 
 #define APART 4e-3            /* m: nearer minima on one body are one patch (D_COMB of CONTACT, Vollebregt 2022) */
 #define WITHIN 8e-3           /* m: a contact further above the first is left out; no approach is that large */
+#define CROWN_LEAST 1.0       /* 1/m: flatter, z_yy says nothing of how a surface runs along the track */
 #define BESIDE 1e-3           /* m beyond its end another body must reach for the end not to count */
+
+/* A rail's surface is taken as developable, swept along straight lines as a wing rail that runs aslant is: z_xx z_yy = z_xy^2 gives its bend
+ * along the track from what the fall varies by across it. */
+static void line_bend(struct gap_line *o)
+{
+    for (int64_t i = 0; i < o->n; i++) {
+        int64_t a = i > 0 ? i - 1 : 0, b = i < o->n - 1 ? i + 1 : i;
+        double across = (o->along[b] - o->along[a]) / (o->y[b] - o->y[a]);
+        double second = o->k[i] * pow(1 + o->slope[i] * o->slope[i], 1.5);
+        o->bend[i] = across * across / fmax(second, CROWN_LEAST);
+    }
+}
 
 static void poly_copy(const struct prof *p, int64_t poly, int mirror, struct gap_line *o)
 {
@@ -24,6 +37,7 @@ static void poly_copy(const struct prof *p, int64_t poly, int mirror, struct gap
         o->k[i] = p->curvature[j];
         o->along[i] = p->fall[j];
     }
+    line_bend(o);
 }
 
 static int64_t longest(const struct prof *p)
@@ -50,12 +64,13 @@ static int64_t widest(const struct prof *p, double step)
 /* Arrays of a curve one after another from `at` on. */
 static struct gap_curve curve_at(double *at, int64_t n)
 {
-    return (struct gap_curve){.z = at, .slope = at + n, .k = at + 2 * n, .along = at + 3 * n, .rate = at + 4 * n, .reach = at + 5 * n};
+    return (struct gap_curve){.z = at, .slope = at + n, .k = at + 2 * n, .along = at + 3 * n, .along_y = at + 4 * n,
+                              .bend = at + 5 * n, .bend_y = at + 6 * n};
 }
 
 static struct gap_line line_at(double *at, int64_t n)
 {
-    return (struct gap_line){.y = at, .z = at + n, .slope = at + 2 * n, .k = at + 3 * n, .along = at + 4 * n, .reach = at + 5 * n};
+    return (struct gap_line){.y = at, .z = at + n, .slope = at + 2 * n, .k = at + 3 * n, .along = at + 4 * n, .bend = at + 5 * n};
 }
 
 static const char *search_room(struct search *s, int64_t points, int64_t rail_nodes, int64_t wheel_nodes, int64_t yaws)
@@ -70,7 +85,6 @@ static const char *search_room(struct search *s, int64_t points, int64_t rail_no
     if (!line || !rail || !wheel || !s->wheel || !s->cut || !s->gap.work)
         return REASON_MEMORY;
     s->line = line_at(line, points);
-    s->line.reach = NULL;
     s->silhouette = line_at(line + GAP_ARRAYS * points, points);
     for (int64_t i = 0; i < SEARCH_BODIES; i++)
         s->rail[i] = curve_at(rail + i * GAP_ARRAYS * rail_nodes, rail_nodes);
@@ -85,7 +99,7 @@ static const char *silhouette_make(struct search *s, double radius, double yaw, 
     struct gap_line *o = &s->silhouette;
     const struct locus_wheel w = {s->line.n, s->line.y, s->line.z, s->line.slope, s->line.k, s->wheel_position, radius};
 
-    const struct locus l = {o->y, o->z, o->slope, o->along, o->reach};
+    const struct locus l = {o->y, o->z, o->slope, o->along, o->bend};
     const char *why = NULL;
 
     o->n = w.n;

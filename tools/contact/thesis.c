@@ -68,14 +68,14 @@ void thesis_profile(const struct locus_wheel *w, double yaw, const struct thesis
             o->z[i] = o->z[i + 1];
             o->slope[i] = o->slope[i + 1];
             o->x[i] = o->x[i + 1];
-            o->reach[i] = o->reach[i + 1];
+            o->bend[i] = o->bend[i + 1];
             continue;
         }
         o->y[i] = (w->position + w->y[i] + beyond * cut->dy) * c;
         o->z[i] = w->z[i] - beyond * cut->dz;
         o->slope[i] = w->slope[i] / c;
         o->x[i] = -w->y[i] * s;
-        o->reach[i] = w->radius + w->z[i];
+        o->bend[i] = 1 / (w->radius + w->z[i]);
     }
 }
 
