@@ -43,21 +43,64 @@ const char *points_add(struct points *p, int64_t *room, double y, double z, doub
     return NULL;
 }
 
-/* y z [weight] of one line; *columns is 0 for a line without data. */
+/* y z [weight] of one line, all between blanks or all between commas; *columns is 0 for a line without data. */
 static const char *line_read(const char *line, double row[3], int *columns)
 {
+    int commas = 0;
+
     row[2] = 1;
     for (*columns = 0;; ++*columns) {
         line += strspn(line, " \t\r\n");
+        if (*columns && *line == ',') {
+            commas++;
+            line += 1 + strspn(line + 1, " \t\r\n");
+        }
         if (*line == '\0' || *line == '#')
-            return *columns == 1 ? "one number, should be y z" : NULL;
+            return *columns == 1 ? "one number, should be y z" : commas && commas >= *columns ? "a comma at the end" : NULL;
         if (*columns == 3)
             return "more than three columns";
         const char *rest = points_number(line, &row[*columns]);
-        if (!rest || (*rest && !strchr(" \t\r\n#", *rest)))
-            return reason("'%.*s' is not a number", (int)strcspn(line, " \t\r\n#"), line);
+        if (!rest || (*rest && !strchr(" \t\r\n#,", *rest)))
+            return reason("'%.*s' is not a number", (int)strcspn(line, " \t\r\n#,"), line);
+        if (commas && commas != *columns)
+            return "commas between some of the columns only";
         line = rest;
     }
+}
+
+/* "y (mm),z (mm)", also with brackets: the unit of both; 0 where the line is no heading. */
+static const char *heading_read(const char *line, double *unit)
+{
+    char word[2][4] = {"", ""};
+    int end = 0;
+
+    *unit = 0;
+    line += strspn(line, " \t");
+    if (*line != 'y' || sscanf(line, "y%*[ ([]%3[m]%*[])] %*[,] z%*[ ([]%3[m]%*[])] %n", word[0], word[1], &end) < 2 || line[end])
+        return NULL;
+    *unit = strcmp(word[0], "m") == 0 ? 1 : strcmp(word[0], "mm") == 0 ? 1e-3 : 0;
+    return *unit > 0 && strcmp(word[0], word[1]) == 0 ? NULL : "y and z must be in m or in mm";
+}
+
+static const char *row_add(struct points *p, int64_t *room, const char *line, double *unit)
+{
+    double row[3], said = 0;
+    int columns;
+    const char *why = p->n ? NULL : heading_read(line, &said);
+
+    if (why || said > 0) {
+        if (!why && *unit > 0 && *unit != said)
+            why = "the heading's unit is not the one stated";
+        *unit = said;
+        return why;
+    }
+    if ((why = line_read(line, row, &columns)) || !columns)
+        return why;
+    if (row[2] <= 0)
+        return reason("weight must be positive, is %g", row[2]);
+    if (*unit <= 0)
+        return "unit: must be stated, m or mm";
+    return points_add(p, room, row[0] * *unit, row[1] * *unit, row[2]);
 }
 
 static const char *file_read(struct points *p, FILE *file, double unit)
@@ -65,18 +108,13 @@ static const char *file_read(struct points *p, FILE *file, double unit)
     const char *why = NULL;
     char *line = NULL;
     size_t size = 0;
+    ssize_t length;
     int64_t room = 0;
-    double row[3];
-    int columns;
 
-    for (long number = 1; !why && getline(&line, &size, file) >= 0; number++) {
-        const char *bad = line_read(line, row, &columns);
-        if (bad)
-            why = reason("line %ld: %s", number, bad);
-        else if (columns && row[2] <= 0)
-            why = reason("line %ld: weight must be positive, is %g", number, row[2]);
-        else if (columns)
-            why = points_add(p, &room, row[0] * unit, row[1] * unit, row[2]);
+    for (long number = 1; !why && (length = getline(&line, &size, file)) >= 0; number++) {
+        why = strlen(line) == (size_t)length ? row_add(p, &room, line, &unit) : "not a text";
+        if (why)
+            why = reason("line %ld: %s", number, why);
     }
     free(line);
     if (!why && ferror(file))

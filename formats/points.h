@@ -1,6 +1,5 @@
-/* Plain points of a profile: text, two columns y z (a third, a weight, may follow), '#' comments: profile-input(5).
- *
- * Profile axes: y to the right, z down.  The unit of the columns is the caller's to say. */
+/* Plain points of a profile: text, two columns y z (a third, a weight, may follow) between blanks or commas, '#' comments:
+ * profile-input(5).  A heading "y (mm),z (mm)" says the unit of the columns; else it is the caller's to say. */
 #ifndef VX_FORMATS_POINTS_H
 #define VX_FORMATS_POINTS_H
 
@@ -12,7 +11,7 @@ struct points {
     double *weight;      /* 1 [n] */
 };
 
-/* unit: metres per unit of the columns.  path "-" is standard input. */
+/* unit: metres per unit of the columns, 0 where a heading must say it.  path "-" is standard input. */
 const char *points_read(struct points *p, const char *path, double unit);
 void points_free(struct points *p);
 

@@ -7,6 +7,8 @@
 
 const char *const prof_part_names[] = {"wheel", "rail", "turnout", NULL};
 const char *const prof_unit_names[] = {"unstated", "m", "mm", NULL};
+static const char *const mirrors[] = {"unstated", "false", "true", NULL};
+static const char *const file_sides[] = {"unstated", "right", "left", NULL};
 static const char *const hands[] = {"right", "left", NULL};
 static const char *const routes[] = {"diverging", "through", NULL};
 
@@ -109,14 +111,17 @@ const struct yaml_schema prof_text_schema = {"profile", sizeof(struct prof_text)
     {"unit", YAML_CHOICE, offsetof(struct prof_text, unit), ANY, "", "unstated", "of zones, points or a plain file", NULL,
      prof_unit_names},
     {"file", YAML_TEXT, offsetof(struct prof_text, file), ANY, "", YAML_ABSENT,
-     "of points (.prr, .prw, else plain y z); for a turnout the .yaml of its rail", NULL, NULL},
+     "of points, its ending says the kind; for a turnout the .yaml of its rail", NULL, NULL},
     {"zones", YAML_LIST, offsetof(struct prof_text, zones), ANY, "", YAML_ABSENT, "published pieces of the shape", &zone_schema,
      NULL},
     {"points", YAML_PAIRS, offsetof(struct prof_text, points), ANY, "unit", YAML_ABSENT, "[y, z] along the shape", NULL, NULL},
     {"symmetric", YAML_BOOL, offsetof(struct prof_text, symmetric), ANY, "", "false", "zones are given for y >= 0 only", NULL, NULL},
-    {"mirror_y", YAML_BOOL, offsetof(struct prof_text, mirror_y), ANY, "", "false", "the shape has y towards the track's centre",
-     NULL, NULL},
-    {"mirror_z", YAML_BOOL, offsetof(struct prof_text, mirror_z), ANY, "", "false", "the shape has z upwards", NULL, NULL},
+    {"section", YAML_INT, offsetof(struct prof_text, section), 1, 10000, "", YAML_ABSENT, "of a .mpt that holds several", NULL, NULL},
+    {"file_side", YAML_CHOICE, offsetof(struct prof_text, file_side), ANY, "", "unstated", "which of the two sides of a .rai or .whe",
+     NULL, file_sides},
+    {"mirror_y", YAML_CHOICE, offsetof(struct prof_text, mirror_y), ANY, "", "unstated", "the shape has y towards the track's centre",
+     NULL, mirrors},
+    {"mirror_z", YAML_CHOICE, offsetof(struct prof_text, mirror_z), ANY, "", "unstated", "the shape has z upwards", NULL, mirrors},
     {"shift_y", YAML_NUM, offsetof(struct prof_text, shift_y), -0.5, 0.5, "m", "0", "added to y, which then has its origin on the"
      " running circle or the rail's centre line", NULL, NULL},
     {"radius", YAML_NUM, offsetof(struct prof_text, radius), YAML_POSITIVE, 2, "m", "0.46", "wheel: at the running circle", NULL,

@@ -1,11 +1,13 @@
 /* What one key of the profile input cannot check alone, and where its shape comes from. */
 #include "formats/prof_text.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "formats/reason.h"
-#include "formats/simpack.h"
+
+#define SAME 1e-5            /* m */
 
 static int file_ends(const char *file, const char *ending)
 {
@@ -15,7 +17,7 @@ static int file_ends(const char *file, const char *ending)
 
 static int file_own_unit(const char *file)
 {
-    return file_ends(file, ".prr") || file_ends(file, ".prw");
+    return shape_kind(file)->unit > 0;
 }
 
 static const char *table_check(const char *name, const struct yaml_nums *pairs)
@@ -100,7 +102,7 @@ static const char *text_check(const struct prof_text *t)
         return "turnout: only with part: turnout";
     if (t->file && (turnout || file_own_unit(t->file)) && stated)
         return reason("unit: %s says its own", t->file);
-    if (!(t->file && (turnout || file_own_unit(t->file))) && !stated)
+    if (!t->file && !stated)
         return "unit: must be stated, m or mm";
     return turnout ? turnout_check(&t->turnout) : zones_check(t);
 }
@@ -185,36 +187,33 @@ void prof_text_free(struct prof_text *t)
     yaml_release(&prof_text_schema, t);
 }
 
-static const char *file_points(const struct prof_text *t, struct points *p)
+/* What a file says of the track's measures is not to differ from the keys. */
+static const char *distance_check(const struct prof_text *t, const struct shape *s)
 {
-    struct simpack s;
-    const char *why;
+    int wheel = t->part == PROF_WHEEL;
+    double distance = wheel ? t->back_to_back : t->gauge, datum = wheel ? t->flange_back : t->gauge_depth;
 
-    if (!file_own_unit(t->file))
-        return points_read(p, t->file, unit_of(t));
-    if ((why = simpack_read(&s, t->file)))
-        return why;
-    *p = s.points;
-    if ((s.part == 'w') != (t->part == PROF_WHEEL))
-        return reason("holds a %s, not a %s", s.part == 'w' ? "wheel" : "rail", prof_part_names[t->part]);
+    if (s->distance > 0 && fabs(s->distance - distance) > SAME)
+        return reason("%s: the file says %.4f, the input %.4f: state it", wheel ? "back_to_back" : "gauge", s->distance, distance);
+    if (s->datum > 0 && fabs(s->datum - datum) > SAME)
+        return reason("%s: the file says %.5f, the input %.5f: state it", wheel ? "flange_back" : "gauge_depth", s->datum, datum);
     return NULL;
 }
 
-const char *prof_text_points(const struct prof_text *t, struct points *p)
+/* Points of the input itself stand in our axes, unless it says otherwise. */
+const char *prof_text_shape(const struct prof_text *t, struct shape *s)
 {
+    static const struct shape_kind own = {"", "points of the input", 0, 0, 0, 0, 1, 0};
+    struct shape_choice c = {t->part == PROF_WHEEL ? 'w' : 'r', t->unit == PROF_UNSTATED ? 0 : unit_of(t), t->section, t->file_side};
     const char *why = NULL;
     int64_t room = 0;
 
-    *p = (struct points){0};
-    if (t->file)
-        why = file_points(t, p);
+    *s = (struct shape){.kind = &own};
+    if (t->file && !(why = shape_read(s, t->file, &c)))
+        why = distance_check(t, s);
     for (int64_t i = 0; !why && i + 1 < t->points.n; i += 2)
-        why = points_add(p, &room, t->points.x[i], t->points.x[i + 1], 1);
-    for (int64_t i = 0; i < p->n; i++) {
-        p->y[i] = (t->mirror_y ? -p->y[i] : p->y[i]) + t->shift_y;
-        p->z[i] = t->mirror_z ? -p->z[i] : p->z[i];
-    }
+        why = points_add(&s->points, &room, t->points.x[i], t->points.x[i + 1], 1);
     if (why)
-        points_free(p);
+        shape_free(s);
     return why;
 }

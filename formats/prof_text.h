@@ -5,11 +5,12 @@
 #ifndef VX_FORMATS_PROF_TEXT_H
 #define VX_FORMATS_PROF_TEXT_H
 
-#include "formats/points.h"
+#include "formats/shape.h"
 #include "formats/yaml.h"
 
 enum prof_part { PROF_WHEEL, PROF_RAIL, PROF_TURNOUT };
 enum prof_unit { PROF_UNSTATED, PROF_M, PROF_MM };
+enum prof_mirror { PROF_MIRROR_UNSTATED, PROF_MIRROR_NO, PROF_MIRROR_YES };
 enum { TURNOUT_RIGHT, TURNOUT_LEFT };
 enum { TURNOUT_DIVERGING, TURNOUT_THROUGH };
 
@@ -69,8 +70,10 @@ struct prof_text {
     struct yaml_list zones;        /* struct prof_zone */
     struct yaml_nums points;       /* [y, z] */
     int symmetric;                 /* zones are given for y >= 0 */
+    int64_t section;               /* of a file that holds several, from 1; 0 unstated */
+    int file_side;                 /* enum shape_pick: of a file that holds both sides */
     double shift_y;                /* m, added to y */
-    int mirror_y, mirror_z;        /* before the shift: files with y towards the track's centre, or z up */
+    int mirror_y, mirror_z;        /* enum prof_mirror, before the shift: files with y towards the track's centre, or z up */
     double radius, back_to_back, flange_back;  /* m, of a wheel */
     double cant;                   /* 1, of a rail: 0.025 is 1:40 */
     double gauge, gauge_depth;     /* m, of a rail */
@@ -85,13 +88,13 @@ extern const char *const prof_part_names[], *const prof_unit_names[];   /* by en
  * *hash covers the values, not the file they name. */
 const char *prof_text_read(struct prof_text *t, const char *path, char *const *set, int sets, uint64_t *hash);
 
-/* The same for a bare shape file: everything else is default or override. */
+/* The same for a bare shape file: everything else is default or override.  unit is PROF_UNSTATED where the file says it. */
 const char *prof_text_file(struct prof_text *t, const char *file, enum prof_part part, enum prof_unit unit,
                            char *const *set, int sets, uint64_t *hash);
 
 void prof_text_free(struct prof_text *t);
 
-/* The points of the shape, from `points` or `file` (.prr, .prw, else plain points). */
-const char *prof_text_points(const struct prof_text *t, struct points *p);
+/* The points of the shape, from `points` or `file`, as they stand there. */
+const char *prof_text_shape(const struct prof_text *t, struct shape *s);
 
 #endif

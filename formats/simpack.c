@@ -1,4 +1,4 @@
-/* Blocks "NAME.begin ... NAME.end", lines "key = value", comments from '!' on, points between point.begin and point.end. */
+/* Blocks "NAME.begin ... NAME.end", lines "key = value", comments from '!' (CONTACT: also '%') on, points between point.begin and point.end. */
 #include "formats/simpack.h"
 
 #include <errno.h>
@@ -102,7 +102,7 @@ static char *line_trim(char *line)
     line += strspn(line, " \t\r\n");
     for (char *p = line; *p; p++) {
         quoted ^= *p == '\'';
-        if (*p == '!' && !quoted)
+        if ((*p == '!' || *p == '%') && !quoted)
             *p = '\0';
     }
     size_t n = strlen(line);
@@ -183,10 +183,13 @@ static const char *file_scan(struct scan *c, FILE *file)
     const char *why = NULL;
     char *line = NULL;
     size_t size = 0;
+    ssize_t length;
 
-    for (long number = 1; !why && getline(&line, &size, file) >= 0; number++)
-        if ((why = line_read(c, line_trim(line))))
+    for (long number = 1; !why && (length = getline(&line, &size, file)) >= 0; number++) {
+        why = strlen(line) == (size_t)length ? line_read(c, line_trim(line)) : "not a text";
+        if (why)
             why = reason("line %ld: %s", number, why);
+    }
     free(line);
     return why ? why : ferror(file) ? reason("%s", strerror(errno)) : keys_check(&c->keys, c);
 }

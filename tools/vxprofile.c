@@ -6,6 +6,7 @@
 #include "tools/cli/cli.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <string.h>
 
 #define XXH_INLINE_ALL
@@ -13,7 +14,9 @@
 
 #include "formats/prof.h"
 #include "formats/prof_text.h"
+#include "tools/profile/check.h"
 #include "tools/profile/gauge.h"
+#include "tools/profile/orient.h"
 #include "tools/profile/section.h"
 #include "tools/profile/set.h"
 #include "tools/profile/turnout.h"
@@ -31,6 +34,8 @@ static const char *const unit_words[] = {"", "m", "mm", NULL};
 static int side, part, unit, check, schema, master;
 static struct cli_list set;
 static const char *output;
+static struct shape shape;        /* as it was read; its kind is NULL for zones */
+static struct orient orient;      /* which way round it was */
 
 static const struct cli_option options[] = {
     {.name = "side", .type = CLI_CHOICE, .value = &side, .choice = sides},
@@ -57,38 +62,41 @@ static int ends(const char *path, const char *ending)
     return n > m && strcmp(path + n - m, ending) == 0;
 }
 
-/* The ending says what a file is; plain points need --part and --unit. */
+/* The ending says what a file is; of plain points the command line says it. */
 static void input_read(const char *path, struct prof_text *t, uint64_t *hash)
 {
-    int prr = ends(path, ".prr"), prw = ends(path, ".prw"), yaml = ends(path, ".yaml") || (strcmp(path, "-") == 0 && !part);
+    const struct shape_kind *k = shape_kind(path);
 
-    if ((prr || prw || yaml) && (part || unit))
-        cli_misuse("--part and --unit are for plain points, %s says its own", path);
-    if (!(prr || prw || yaml) && !(part && unit))
-        cli_misuse("%s: plain points need --part wheel|rail and --unit m|mm", path);
-    if (yaml)
+    if (ends(path, ".yaml") || (strcmp(path, "-") == 0 && !part)) {
+        if (part || unit)
+            cli_misuse("--part and --unit are for plain points, %s says its own", path);
         cli_check(path, prof_text_read(t, path, set.item, set.n, hash));
-    else if (prr || prw)
-        cli_check(path, prof_text_file(t, path, prw ? PROF_WHEEL : PROF_RAIL, PROF_UNSTATED, set.item, set.n, hash));
-    else
-        cli_check(path, prof_text_file(t, path, part == 1 ? PROF_WHEEL : PROF_RAIL, unit == 1 ? PROF_M : PROF_MM,
-                                       set.item, set.n, hash));
+        return;
+    }
+    if ((k->part && part) || (k->unit > 0 && unit))
+        cli_misuse("--part and --unit are for plain points, %s says its own", path);
+    if (!k->part && !part)
+        cli_misuse("%s: %s need --part wheel|rail%s", path, k->name, k->unit > 0 ? "" : " and --unit m|mm");
+    cli_check(path, prof_text_file(t, path, part == 1 || k->part == 'w' ? PROF_WHEEL : PROF_RAIL,
+                                   unit == 1 ? PROF_M : unit == 2 ? PROF_MM : PROF_UNSTATED, set.item, set.n, hash));
 }
 
 /* *hash goes on over the points. */
 static void shape_make(const char *path, const struct prof_text *t, const struct section_options *o, struct section *s,
                        uint64_t *hash)
 {
-    struct points p;
+    struct points *p = &shape.points;
 
-    if (t->zones.n)
-        cli_check(path, zones_points(t->zones.n, t->zones.item, t->symmetric, t->spacing, &p));
-    else
-        cli_check(t->file ? t->file : path, prof_text_points(t, &p));
-    *hash = XXH64(p.y, (size_t)p.n * sizeof *p.y, *hash);
-    *hash = XXH64(p.z, (size_t)p.n * sizeof *p.z, *hash);
-    cli_check(path, section_make(s, &p, o));
-    points_free(&p);
+    if (t->zones.n) {
+        cli_check(path, zones_points(t->zones.n, t->zones.item, t->symmetric, t->spacing, p));
+    } else {
+        cli_check(t->file ? t->file : path, prof_text_shape(t, &shape));
+        cli_check(t->file ? t->file : path, orient_shape(&shape, t, &orient));
+    }
+    *hash = XXH64(p->y, (size_t)p->n * sizeof *p->y, *hash);
+    *hash = XXH64(p->z, (size_t)p->n * sizeof *p->z, *hash);
+    cli_check(path, section_make(s, p, o));
+    shape_free(&shape);
 }
 
 /* The shape of the wheel or rail, or of the rail a turnout is made of. */
@@ -123,11 +131,40 @@ static void sections_gather(const char *path, const struct prof_text *t, struct 
     cli_check(path, set_body(sections, 0, &s->outline));
 }
 
-static void print_check(const struct prof_text *t, const struct section *s, const struct prof *p)
+/* What a file held and which way round it was. */
+static void print_shape(void)
+{
+    printf("kind\t%s\n", shape.kind->name);
+    if (shape.side)
+        printf("side_said\t%c\n", shape.side);
+    printf("mirror_y\t%s\t%s\nmirror_z\t%s\t%s\nshift_y\t%.6f\tm\t%s\n", orient.mirror_y ? "true" : "false", orient.by_y,
+           orient.mirror_z ? "true" : "false", orient.by_z, orient.shift_y, orient.by_shift);
+    if (shape.flange_height > 0)
+        printf("flange_said\t%.6f\t%.6f\t%.6f\tm, Sh Sd qR\n", shape.flange_height, shape.flange_width, shape.flange_slope);
+}
+
+static void print_measures(const struct prof_text *t, const struct section *s, const struct check *c, const struct prof *p)
+{
+    double sign = p->side == 'l' ? -1 : 1;
+
+    if (p->part == 'r')
+        printf("gauge_face\t%.6f\tm\ncant\t%.6f\t1\n", sign * s->gauge_face, t->cant);
+    if (p->part == 'r' && isfinite(s->cant))
+        printf("cant_found\t%.5f\t1\tslope of the top 10 mm to both sides of the middle between the side faces\n", s->cant);
+    if (p->part == 'w' && isfinite(c->flange_slope))
+        printf("flange_height\t%.6f\tm\nflange_thickness\t%.6f\tm\nflange_slope\t%.6f\tm\n", c->flange_height, c->flange_thickness,
+               c->flange_slope);
+    printf("kinks\t%" PRId64 "\t1\tturns of more than 30 degrees over 2 mm\n", s->kinks.n);
+    for (int64_t i = 0; i < s->kinks.n && i < KINKS_TOLD; i++)
+        printf("kink\t%.6f\tm\t%.4f\trad\n", sign * s->kinks.y[i], sign * s->kinks.turn[i]);
+}
+
+static void print_check(const struct prof_text *t, const struct section *s, const struct check *c, const struct prof *p)
 {
     printf("name\t%s\npart\t%s\nside\t%c\nposition\t%.6f\tm\n", p->name, p->part == 'w' ? "wheel" : "rail", p->side, p->position);
-    if (p->part == 'r')
-        printf("gauge_face\t%.6f\tm\ncant\t%.6f\t1\n", p->side == 'l' ? -s->gauge_face : s->gauge_face, t->cant);
+    if (shape.kind)
+        print_shape();
+    print_measures(t, s, c, p);
     printf("points_read\t%" PRId64 "\t1\ndoubles\t%" PRId64 "\t1\nzigzags\t%" PRId64 "\t1\nlongest_gap\t%.3e\tm\n",
            s->points, s->clean.doubles, s->clean.zigzags, s->clean.longest_gap);
     printf("residual_worst\t%.3e\tm\nresidual_worst_y\t%.6f\tm\nresidual_rms\t%.3e\tm\n", s->residual.worst,
@@ -165,6 +202,7 @@ int main(int argc, char **argv)
     char **path = cli_begin(&program, argc, argv, 0, 1, &n);
     struct prof_text text;
     struct section section;
+    struct check measures;
     struct set sections;
     struct prof prof = {0};
     uint64_t hash;
@@ -179,6 +217,7 @@ int main(int argc, char **argv)
         return cli_end();
     input_read(path[0], &text, &hash);
     section_read(path[0], &text, &section, &hash);
+    check_wheel(&section.outline, text.flange_back, &measures);
     sections_gather(path[0], &text, &section, &sections);
 
     strncpy(prof.name, text.name, sizeof prof.name - 1);
@@ -188,7 +227,7 @@ int main(int argc, char **argv)
                                             : gauge_rail_position(section.gauge_face, text.gauge);
     cli_check(path[0], set_prof(&sections, side ? 'l' : 'r', &prof));
     if (check)
-        print_check(&text, &section, &prof);
+        print_check(&text, &section, &measures, &prof);
     else
         prof_save(&prof, hash);
     prof_free(&prof);

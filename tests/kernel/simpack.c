@@ -8,6 +8,7 @@
 
 #include "formats/prof_text.h"
 #include "formats/simpack.h"
+#include "tools/profile/orient.h"
 #include "tools/profile/section.h"
 #include "tools/profile/zones.h"
 
@@ -72,7 +73,7 @@ static void test_refusals(void)
     ok(!points_read(&p, file_write("# y z\n-1 0\n 0\t0 # top\r\n1 0 2\n"), 1e-3) && p.n == 3 && p.y[2] == 1e-3, "plain points in mm");
     points_free(&p);
     why = points_read(&p, file_write("1 2\n3,5 4\n"), 1);
-    ok(why && strstr(why, "line 2: '3,5'"), "refused: %s", why ? why : "nothing");
+    ok(why && strstr(why, "line 2: commas between some"), "refused: %s", why ? why : "nothing");
     why = points_read(&p, file_write("1 2\n3\n"), 1);
     ok(why && strstr(why, "line 2: one number"), "refused: %s", why ? why : "nothing");
 }
@@ -80,7 +81,8 @@ static void test_refusals(void)
 static const char *section_of(const char *path, const char *cant, struct section *s)
 {
     struct prof_text t;
-    struct points p;
+    struct shape shape = {0};
+    struct orient o;
     char *set[] = {(char *)(size_t)cant};
     size_t n = strlen(path);
     int yaml = n > 5 && strcmp(path + n - 5, ".yaml") == 0, wheel = strstr(path, ".prw") != NULL;
@@ -88,9 +90,10 @@ static const char *section_of(const char *path, const char *cant, struct section
                            : prof_text_file(&t, path, wheel ? PROF_WHEEL : PROF_RAIL, PROF_UNSTATED, NULL, 0, NULL);
     if (why)
         return why;
-    if (!(why = yaml ? zones_points(t.zones.n, t.zones.item, t.symmetric, t.spacing, &p) : prof_text_points(&t, &p)))
-        why = section_make(s, &p, &(struct section_options){t.part == PROF_WHEEL, t.cant, t.gauge_depth, t.smoothing, t.spacing});
-    points_free(&p);
+    if (!(why = yaml ? zones_points(t.zones.n, t.zones.item, t.symmetric, t.spacing, &shape.points) : prof_text_shape(&t, &shape)) &&
+        (yaml || !(why = orient_shape(&shape, &t, &o))))
+        why = section_make(s, &shape.points, &(struct section_options){t.part == PROF_WHEEL, t.cant, t.gauge_depth, t.smoothing, t.spacing});
+    shape_free(&shape);
     prof_text_free(&t);
     return why;
 }

@@ -4,6 +4,7 @@
 #include <stddef.h>
 
 #include "tools/profile/cant.h"
+#include "tools/profile/check.h"
 #include "tools/profile/gauge.h"
 #include "tools/profile/resample.h"
 
@@ -40,6 +41,7 @@ static const char *outline_place(struct section *s, const struct section_options
     outline_shift(&s->outline, 0, -top(&s->outline));
     if ((why = gauge_face(&s->outline, o->gauge_depth, &s->gauge_face)))
         return why;
+    s->cant = check_cant(&s->outline, o->gauge_depth);
     return clean_outline(&s->outline);
 }
 
@@ -53,6 +55,7 @@ const char *section_make(struct section *s, struct points *p, const struct secti
         return why;
     if (!o->wheel)
         cant_rotate(p->n, p->y, p->z, o->cant);
+    kinks_find(p, &s->kinks);
     if ((why = curve_fit(&curve, p, o->smoothing)))
         return why;
     s->residual = curve_compare(&curve, p);

@@ -5,6 +5,7 @@
 #include "formats/points.h"
 #include "tools/profile/clean.h"
 #include "tools/profile/curve.h"
+#include "tools/profile/kinks.h"
 
 struct section_options {
     int wheel;                /* else a rail */
@@ -17,8 +18,10 @@ struct section_options {
 struct section {
     struct outline outline;   /* right side; rail: top at z = 0; wheel: z = 0 at y = 0, its running circle */
     double gauge_face;        /* m, y of it; rail */
+    double cant;              /* 1, the inclination found, check.h; rail */
     int64_t points;           /* that the shape had */
     struct clean_count clean;
+    struct kinks kinks;       /* of the points as read, before smoothing */
     struct curve_residual residual;
 };
 
