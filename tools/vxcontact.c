@@ -25,6 +25,7 @@ static const char usage[] =
     "vxcontact --wheel FILE --rail FILE --yaw none|thesis|exact [--u-max M] [--u-step M]\n"
     "          [--yaw-max RAD] [--yaws N] [--shear-modulus PA] [--poisson NU] [-o FILE]\n"
     "vxcontact --query u=M[,yaw=RAD][,s=M][,roll=RAD] TABLE\n"
+    "vxcontact --path u=M,from=M,to=M,step=M[,yaw=RAD][,roll=RAD] TABLE\n"
     "vxcontact --sweep yaw=RAD[,s=M] TABLE...\n"
     "vxcontact --wheelset y=M[,yaw=RAD][,s=M][,load=N] [--no-roll] LEFT RIGHT\n"
     "vxcontact --conicity M [--no-roll] LEFT RIGHT\n"
@@ -34,7 +35,7 @@ static const char usage[] =
 static const char *const yaw_methods[] = {"none", "thesis", "exact", NULL};
 
 static struct {
-    const char *wheel, *rail, *query, *sweep, *wheelset, *out;
+    const char *wheel, *rail, *query, *path, *sweep, *wheelset, *out;
     int yaw, rolling_radius, no_roll;
     double conicity;                 /* m; 0 is not asked for */
     struct table_grid grid;
@@ -55,6 +56,7 @@ static const struct cli_option options[] = {
     {.name = "shear-modulus", .type = CLI_NUM, .value = &opt.grid.shear_modulus, .lo = 1e6, .hi = 1e13},
     {.name = "poisson", .type = CLI_NUM, .value = &opt.grid.poisson, .lo = 0, .hi = 0.5},
     {.name = "query", .type = CLI_TEXT, .value = &opt.query},
+    {.name = "path", .type = CLI_TEXT, .value = &opt.path},
     {.name = "sweep", .type = CLI_TEXT, .value = &opt.sweep},
     {.name = "wheelset", .type = CLI_TEXT, .value = &opt.wheelset},
     {.name = "conicity", .type = CLI_NUM, .value = &opt.conicity, .lo = 1e-6, .hi = 0.05},
@@ -74,7 +76,7 @@ static const struct cli_program program = {
     .option = options,
 };
 
-/* Exactly one of the six forms of the usage. */
+/* Exactly one of the seven forms of the usage. */
 static char **parse(int argc, char **argv)
 {
     int n, build, care, forms;
@@ -82,18 +84,18 @@ static char **parse(int argc, char **argv)
 
     build = opt.wheel || opt.rail || opt.yaw >= 0;
     care = opt.cache.list + opt.cache.verify + !!opt.cache.prune;
-    forms = build + care + !!opt.query + !!opt.sweep + !!opt.wheelset + (opt.conicity > 0) + opt.rolling_radius;
+    forms = build + care + !!opt.query + !!opt.path + !!opt.sweep + !!opt.wheelset + (opt.conicity > 0) + opt.rolling_radius;
     if (forms != 1)
-        cli_misuse("give either --wheel, --rail and --yaw, or one of --query, --sweep, --wheelset, --conicity, --rolling-radius, --cache-...");
+        cli_misuse("give either --wheel, --rail and --yaw, or one of --query, --path, --sweep, --wheelset, --conicity, --rolling-radius, --cache-...");
     if (build && !(opt.wheel && opt.rail && opt.yaw >= 0))
         cli_misuse("--wheel, --rail and --yaw must all be given");
     if (!build && opt.out)
         cli_misuse("-o is for a new table");
-    if (opt.no_roll && (build || opt.query || opt.sweep || care))
+    if (opt.no_roll && (build || opt.query || opt.path || opt.sweep || care))
         cli_misuse("--no-roll is for a wheelset");
-    if (opt.sweep ? n == 0 : n != (build || care ? 0 : opt.query ? 1 : 2))
+    if (opt.sweep ? n == 0 : n != (build || care ? 0 : opt.query || opt.path ? 1 : 2))
         cli_misuse("%d operands, must be %s", n,
-                   build || care ? "none" : opt.sweep ? "one table or more" : opt.query ? "one table" : "a left and a right table");
+                   build || care ? "none" : opt.sweep ? "one table or more" : opt.query || opt.path ? "one table" : "a left and a right table");
     return operand;
 }
 
@@ -168,6 +170,37 @@ static void print_query(const char *path)
     for (int i = 0; i < n; i++) {
         rows_contact(&c[i], c[0].height, row);
         cli_row(column + ROWS_CONTACT, ROWS_N - ROWS_CONTACT, row + ROWS_CONTACT);
+    }
+    vxf_close(&f);
+}
+
+/* The contact that touches, station by station; where there is none, none is printed. */
+static void print_path(const char *path)
+{
+    double u = 0, from = 0, to = 0, step = 0, yaw = 0, roll = 0;
+    const struct cli_item item[] = {{"u", &u, -1, 1, 1}, {"from", &from, -1e5, 1e5, 1}, {"to", &to, -1e5, 1e5, 1}, {"step", &step, 1e-5, 1e5, 1},
+                                    {"yaw", &yaw, -0.1, 0.1, 0}, {"roll", &roll, -0.1, 0.1, 0}};
+    struct vxf f;
+    struct ctab t;
+    struct contact c[CONTACT_MAX];
+    struct column column[ROWS_N];
+    double row[ROWS_N];
+
+    cli_items("path", opt.path, item, 6);
+    open_table(&f, &t, path, 0);
+    check_yaw(&t, path, yaw);
+    rows_columns(column);
+    column[ROWS_PATH] = (struct column){"station", "m", 10};
+    cli_header(column + ROWS_PATH, ROWS_GAP - ROWS_PATH);
+    for (int64_t i = 0; from + (double)i * step <= to + 1e-9 * step; i++) {
+        row[ROWS_PATH] = from + (double)i * step;
+        int n = contact_lookup(&t, row[ROWS_PATH], yaw, u, roll, c);
+        if (n < 0)
+            cli_die("%s: u = %g m is beyond the table, %g to %g", path, u, t.u[0], t.u[t.us - 1]);
+        if (n == 0)
+            continue;
+        rows_contact(&c[0], c[0].height, row);
+        cli_row(column + ROWS_PATH, ROWS_GAP - ROWS_PATH, row + ROWS_PATH);
     }
     vxf_close(&f);
 }
@@ -280,6 +313,8 @@ int main(int argc, char **argv)
         cli_cache_care(&opt.cache);
     else if (opt.query)
         print_query(operand[0]);
+    else if (opt.path)
+        print_path(operand[0]);
     else if (opt.sweep)
         print_tables(operand);
     else if (opt.wheelset || opt.rolling_radius || opt.conicity > 0)

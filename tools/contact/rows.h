@@ -5,8 +5,9 @@
 #include "formats/columns.h"
 #include "tools/contact/wheelset.h"
 
-/* A contact's row; that of a wheelset's contact has its side, displacement and force before, up to ROWS_CONTACT. */
-enum { ROWS_SIDE, ROWS_U, ROWS_FORCE, ROWS_CONTACT, ROWS_GAP = ROWS_CONTACT + 14, ROWS_N };
+/* A contact's row; that of a wheelset's contact has its side, displacement and force before, up to ROWS_CONTACT; along a
+ * path the station stands before, in ROWS_PATH. */
+enum { ROWS_SIDE, ROWS_U, ROWS_FORCE, ROWS_CONTACT, ROWS_PATH = ROWS_FORCE, ROWS_GAP = ROWS_CONTACT + 14, ROWS_N };
 enum { ROWS_REST = 3, ROWS_SWEEP = 8 };
 
 void rows_columns(struct column c[ROWS_N]);
