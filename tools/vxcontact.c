@@ -9,8 +9,8 @@
 
 #include "formats/ctab.h"
 #include "formats/prof.h"
-#include "tools/contact/conicity.h"
 #include "tools/contact/lookup.h"
+#include "tools/contact/parameters.h"
 #include "tools/contact/rows.h"
 #include "tools/contact/sweep.h"
 #include "tools/contact/table.h"
@@ -19,7 +19,7 @@
 #define RADIUS_STEP 5e-5         /* m, of y for --rolling-radius */
 #define KLINGEL_STEP 1e-5        /* m, of y for --conicity, which a leap of contact moves by as much */
 #define TAPE_LINE 1.5            /* m, distance of the contact points, EN 15302 */
-enum { SWEEP_MOST = 4801 };
+enum { SWEEP_MOST = 4801, AMPLITUDES = 100 };
 
 static const char usage[] =
     "vxcontact --wheel FILE --rail FILE --yaw none|thesis|exact [--u-max M] [--u-step M]\n"
@@ -28,16 +28,16 @@ static const char usage[] =
     "vxcontact --path u=M,from=M,to=M,step=M[,yaw=RAD][,roll=RAD] TABLE\n"
     "vxcontact --sweep yaw=RAD[,s=M] TABLE...\n"
     "vxcontact --wheelset y=M[,yaw=RAD][,s=M][,load=N] [--no-roll] LEFT RIGHT\n"
-    "vxcontact --conicity M [--no-roll] LEFT RIGHT\n"
+    "vxcontact --conicity M[,M]... [--no-roll] LEFT RIGHT\n"
     "vxcontact --rolling-radius [--no-roll] LEFT RIGHT\n"
     "vxcontact --cache-list | --cache-verify | --cache-prune days=N[,size=GB]";
 
 static const char *const yaw_methods[] = {"none", "thesis", "exact", NULL};
 
 static struct {
-    const char *wheel, *rail, *query, *path, *sweep, *wheelset, *out;
-    int yaw, rolling_radius, no_roll;
-    double conicity;                 /* m; 0 is not asked for */
+    const char *wheel, *rail, *query, *path, *sweep, *wheelset, *conicity, *out;
+    int yaw, rolling_radius, no_roll, amplitudes;
+    double amplitude[AMPLITUDES];    /* m, of --conicity */
     struct table_grid grid;
     struct cli_cache_care cache;
 } opt = {
@@ -59,7 +59,7 @@ static const struct cli_option options[] = {
     {.name = "path", .type = CLI_TEXT, .value = &opt.path},
     {.name = "sweep", .type = CLI_TEXT, .value = &opt.sweep},
     {.name = "wheelset", .type = CLI_TEXT, .value = &opt.wheelset},
-    {.name = "conicity", .type = CLI_NUM, .value = &opt.conicity, .lo = 1e-6, .hi = 0.05},
+    {.name = "conicity", .type = CLI_TEXT, .value = &opt.conicity},
     {.name = "rolling-radius", .type = CLI_FLAG, .value = &opt.rolling_radius},
     {.name = "no-roll", .type = CLI_FLAG, .value = &opt.no_roll},
     {.name = "cache-list", .type = CLI_FLAG, .value = &opt.cache.list},
@@ -84,7 +84,7 @@ static char **parse(int argc, char **argv)
 
     build = opt.wheel || opt.rail || opt.yaw >= 0;
     care = opt.cache.list + opt.cache.verify + !!opt.cache.prune;
-    forms = build + care + !!opt.query + !!opt.path + !!opt.sweep + !!opt.wheelset + (opt.conicity > 0) + opt.rolling_radius;
+    forms = build + care + !!opt.query + !!opt.path + !!opt.sweep + !!opt.wheelset + !!opt.conicity + opt.rolling_radius;
     if (forms != 1)
         cli_misuse("give either --wheel, --rail and --yaw, or one of --query, --path, --sweep, --wheelset, --conicity, --rolling-radius, --cache-...");
     if (build && !(opt.wheel && opt.rail && opt.yaw >= 0))
@@ -96,6 +96,8 @@ static char **parse(int argc, char **argv)
     if (opt.sweep ? n == 0 : n != (build || care ? 0 : opt.query || opt.path ? 1 : 2))
         cli_misuse("%d operands, must be %s", n,
                    build || care ? "none" : opt.sweep ? "one table or more" : opt.query || opt.path ? "one table" : "a left and a right table");
+    if (opt.conicity)
+        opt.amplitudes = cli_numbers("conicity", opt.conicity, 1e-6, 0.05, opt.amplitude, AMPLITUDES);
     return operand;
 }
 
@@ -262,17 +264,19 @@ static void print_sweep(const struct wheelset_point *p, int64_t n)
 
 static void print_conicity(const struct wheelset_point *p, int64_t n, double r0)
 {
-    static const struct column column[] = {{"amplitude", "m", 6}, {"conicity", "1", 6}, {"wavelength", "m", 6}};
-    static double y[SWEEP_MOST], dr[SWEEP_MOST];
-    double conicity, wavelength;
+    static double value[4][SWEEP_MOST];
+    const struct parameters_curves curves = {value[0], value[1], value[2], value[3]};
+    struct parameters parameters[AMPLITUDES];
+    double row[ROWS_PARAMETERS];
 
-    for (int64_t i = 0; i < n; i++) {
-        y[i] = p[i].y;
-        dr[i] = p[i].radius_difference;
+    parameters_gather(p, n, &curves);
+    for (int i = 0; i < opt.amplitudes; i++)
+        cli_check("conicity", parameters_at(&curves, n, opt.amplitude[i], TAPE_LINE, r0, &parameters[i]));
+    cli_header(rows_parameters, ROWS_PARAMETERS);
+    for (int i = 0; i < opt.amplitudes; i++) {
+        rows_wheelset_parameters(opt.amplitude[i], &parameters[i], row);
+        cli_row(rows_parameters, ROWS_PARAMETERS, row);
     }
-    cli_check("conicity", conicity_klingel(y, dr, n, opt.conicity, TAPE_LINE, r0, &conicity, &wavelength));
-    cli_header(column, 3);
-    cli_row(column, 3, (double[]){opt.conicity, conicity, wavelength});
 }
 
 static void print_pair(char **path)
@@ -288,8 +292,6 @@ static void print_pair(char **path)
         cli_items("wheelset", opt.wheelset, item, 4);
     open_table(&f[0], &t[0], path[0], 'l');
     open_table(&f[1], &t[1], path[1], 'r');
-    if (t[0].radius != t[1].radius)
-        cli_die("%s: rolling radius is %g m, that of %s is %g", path[1], t[1].radius, path[0], t[0].radius);
     check_yaw(&t[0], path[0], yaw);
     check_yaw(&t[1], path[1], yaw);
     if (opt.wheelset) {
@@ -299,7 +301,7 @@ static void print_pair(char **path)
         if (opt.rolling_radius)
             print_sweep(p, n);
         else
-            print_conicity(p, n, t[0].radius);
+            print_conicity(p, n, 0.5 * (t[0].radius + t[1].radius));
     }
     vxf_close(&f[0]);
     vxf_close(&f[1]);
@@ -317,7 +319,7 @@ int main(int argc, char **argv)
         print_path(operand[0]);
     else if (opt.sweep)
         print_tables(operand);
-    else if (opt.wheelset || opt.rolling_radius || opt.conicity > 0)
+    else if (opt.wheelset || opt.rolling_radius || opt.conicity)
         print_pair(operand);
     else
         build_table();

@@ -46,6 +46,9 @@ char **cli_begin(const struct cli_program *p, int argc, char **argv, int least, 
 struct cli_item { const char *key; double *value; double lo, hi; int needed; };
 void cli_items(const char *option, const char *text, const struct cli_item *item, int n);
 
+/* The value of an option "number,number" into value[most], each within lo..hi, or misuse; how many. */
+int cli_numbers(const char *option, const char *text, double lo, double hi, double *value, int most);
+
 /* Closes standard output, checked, and returns the exit status. */
 int cli_end(void);
 

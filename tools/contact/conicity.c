@@ -16,6 +16,8 @@
 
 #include "formats/reason.h"
 
+#define EVEN 1e-10           /* 1, difference of V at both ends where the middle was found */
+
 enum { PANELS = 4000 };
 
 /* V (1) at y: dr straight between the knots, so V is a parabola there; V = 0 at y[0]. */
@@ -44,17 +46,20 @@ static double swing_middle(const double *y, const double *dr, int64_t n, double 
     return 0.5 * (lo + hi);
 }
 
-const char *conicity_klingel(const double *y, const double *dr, int64_t n, double amplitude, double e, double r0, double *conicity,
-                             double *wavelength)
+const char *conicity_klingel(const double *y, const double *dr, int64_t n, double amplitude, double e, double r0, struct conicity *c)
 {
-    if (n < 2 || !(amplitude > 0) || !(y[n - 1] - y[0] > 2 * amplitude))
-        return reason("amplitude %g m must be positive and less than half the range of y", amplitude);
+    if (n < 2)
+        return "fewer than two displacements";
+    if (!(amplitude > 0) || !(y[n - 1] - y[0] > 2 * amplitude))
+        return reason("amplitude %g m must be positive and less than half of y's range, %g to %g m", amplitude, y[0], y[n - 1]);
 
     double e_r0 = e * r0, middle = swing_middle(y, dr, n, e_r0, amplitude);
     double y1 = middle - amplitude, top = potential(y, dr, n, e_r0, y1), sum = 0, V = top;
-    double at = y1;
+    double at = y1, uneven = fabs(potential(y, dr, n, e_r0, middle + amplitude) - top);
     int64_t i = 0;
-    *conicity = *wavelength = 0;
+    *c = (struct conicity){.middle = middle};
+    if (uneven > EVEN)
+        return reason("amplitude %g m: the motion does not turn within %g to %g m", amplitude, y[0], y[n - 1]);
     for (int k = 0; k < PANELS; k++) {
         double t = (k + 0.5) * M_PI / PANELS, next = middle - amplitude * cos(t);
         while (at < next) {                                       /* V from `at` to `next`, knot by knot */
@@ -68,7 +73,7 @@ const char *conicity_klingel(const double *y, const double *dr, int64_t n, doubl
             return NULL;                                          /* flat, or no return to the middle */
         sum += amplitude * sin(t) / sqrt(2 * (top - V)) * M_PI / PANELS;
     }
-    *wavelength = 2 * sum;
-    *conicity = 2 * e_r0 * (M_PI / *wavelength) * (M_PI / *wavelength);
+    c->wavelength = 2 * sum;
+    c->conicity = 2 * e_r0 * (M_PI / c->wavelength) * (M_PI / c->wavelength);
     return NULL;
 }

@@ -1,6 +1,7 @@
 /* Columns of the table come in an order of their own: where, how, how stiff. */
 #include "tools/contact/rows.h"
 
+#include <math.h>
 #include <string.h>
 
 static const enum ctab_column printed[ROWS_GAP - ROWS_CONTACT - 1] = {
@@ -13,6 +14,11 @@ const struct column rows_rest[ROWS_REST] = {{"z", "m", 10}, {"roll", "rad", 10},
 const struct column rows_sweep[ROWS_SWEEP] = {
     {"y", "m", 6}, {"z", "m", 9}, {"radius_difference", "m", 9}, {"roll", "rad", 9},
     {"rail_y_left", "m", 9}, {"rail_y_right", "m", 9}, {"wheel_y_left", "m", 9}, {"wheel_y_right", "m", 9},
+    {"angle_left", "rad", 9}, {"angle_right", "rad", 9},
+};
+const struct column rows_parameters[ROWS_PARAMETERS] = {
+    {"amplitude", "m", 6}, {"conicity", "1", 6}, {"wavelength", "m", 6}, {"middle", "m", 6},
+    {"contact_angle_parameter", "1", 6}, {"roll_parameter", "1", 6},
 };
 
 void rows_columns(struct column c[ROWS_N])
@@ -51,7 +57,16 @@ void rows_wheelset_rest(const struct wheelset *w, double row[ROWS_REST])
 
 void rows_wheelset_point(const struct wheelset_point *p, double row[ROWS_SWEEP])
 {
-    const double all[ROWS_SWEEP] = {p->y, p->z, p->radius_difference, p->roll, p->rail_y[0], p->rail_y[1], p->wheel_y[0], p->wheel_y[1]};
+    const double all[ROWS_SWEEP] = {p->y, p->z, p->radius_difference, p->roll, p->rail_y[0], p->rail_y[1], p->wheel_y[0], p->wheel_y[1],
+                                    p->angle[0], p->angle[1]};
+
+    memcpy(row, all, sizeof all);
+}
+
+void rows_wheelset_parameters(double amplitude, const struct parameters *p, double row[ROWS_PARAMETERS])
+{
+    const double middle = nearbyint(p->klingel.middle * 1e9) / 1e9 + 0.0;        /* to the nanometre, without a minus before 0 */
+    const double all[ROWS_PARAMETERS] = {amplitude, p->klingel.conicity, p->klingel.wavelength, middle, p->contact_angle, p->roll};
 
     memcpy(row, all, sizeof all);
 }

@@ -1,9 +1,10 @@
 /* A side's running circle hangs at z + roll b (b its position, negative on the left), its displacement is u = y - roll r0.  Each side
  * alone has the height h(u, roll) at which it touches, or carries its load; the roll follows from
  *
- *     f(roll) = h_r - h_l - roll (b_r - b_l) = 0
+ *     f(roll) = (h_r - r_r) - (h_l - r_l) - roll (b_r - b_l) = 0
  *
- * which falls with roll unless a flange is steeper than b/r0, 73 degrees: Newton, kept inside a shrinking bracket. */
+ * with r the nominal radii, both wheels being on one axle.  It falls with roll unless a flange is steeper than b/r0, 73 degrees:
+ * Newton, kept inside a shrinking bracket. */
 #include "tools/contact/wheelset.h"
 
 #include <math.h>
@@ -107,6 +108,7 @@ static const char *imbalance(const struct ctab *const *t, double s, double yaw, 
     if (why)
         return why;
     *f = w->side[WHEELSET_RIGHT].z - w->side[WHEELSET_LEFT].z - roll * span;
+    *f -= t[WHEELSET_RIGHT]->radius - t[WHEELSET_LEFT]->radius;
     *slope = rate[WHEELSET_RIGHT] - rate[WHEELSET_LEFT] - span;
     return NULL;
 }
@@ -162,6 +164,7 @@ static void point_set(const struct wheelset *w, double y, struct wheelset_point 
         const double *row = w->side[i].contact[0].row;
         p->rail_y[i] = row[CTAB_RAIL_Y];
         p->wheel_y[i] = row[CTAB_WHEEL_Y];
+        p->angle[i] = row[CTAB_ANGLE];
     }
 }
 

@@ -1,6 +1,7 @@
 /* How a wheelset rests on its two rails: height and roll from the contact tables of both sides.
  *
- * x forward, y to the right, z down; right-handed angles.  z is that of the running circles' lowest points at roll 0. */
+ * x forward, y to the right, z down; right-handed angles.  z is that of the running circles' lowest points at roll 0, the
+ * mean of both where their radii differ. */
 #ifndef VX_CONTACT_WHEELSET_H
 #define VX_CONTACT_WHEELSET_H
 
@@ -33,6 +34,7 @@ struct wheelset_point {
     double y, z, roll;                     /* m, m, rad */
     double radius_difference;              /* m */
     double rail_y[2], wheel_y[2];          /* m, touching contact on rail and wheel, left and right */
+    double angle[2];                       /* rad, slope angle of its contact plane: negative on a right rail's gauge side */
 };
 
 /* Rigid rest positions at y = k step (m), from as far left to as far right as both tables reach, into p[most].  *n of them. */
