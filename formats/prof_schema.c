@@ -5,7 +5,7 @@
 
 #define ANY (-YAML_NO_LIMIT), YAML_NO_LIMIT
 
-const char *const prof_part_names[] = {"wheel", "rail", "turnout", NULL};
+const char *const prof_part_names[] = {"wheel", "rail", "turnout", "sections", NULL};
 const char *const prof_unit_names[] = {"unstated", "m", "mm", NULL};
 static const char *const mirrors[] = {"unstated", "false", "true", NULL};
 static const char *const file_sides[] = {"unstated", "right", "left", NULL};
@@ -142,4 +142,6 @@ const struct yaml_schema prof_text_schema = {"profile", sizeof(struct prof_text)
      NULL},
     {"turnout", YAML_MAP, offsetof(struct prof_text, turnout), ANY, "", YAML_ABSENT, "plan and machining of a turnout",
      &turnout_schema, NULL},
+    {"sections", YAML_MAP, offsetof(struct prof_text, sections), ANY, "", YAML_ABSENT, "measured sections along the track",
+     &sections_text_schema, NULL},
     {0}}};

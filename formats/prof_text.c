@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "formats/beside.h"
 #include "formats/reason.h"
 
 #define SAME 1e-5            /* m */
@@ -92,6 +93,11 @@ static const char *text_check(const struct prof_text *t)
 {
     int turnout = t->part == PROF_TURNOUT, stated = t->unit != PROF_UNSTATED;
 
+    if ((t->part == PROF_SECTIONS) != (t->sections.reference > 0))
+        return "part: sections and the key sections belong together";
+    if (t->part == PROF_SECTIONS)
+        return t->file || t->zones.n || t->points.n || t->cant != 0 || t->turnout.length != 0
+            ? "file, zones, points, cant, turnout: not with part: sections" : sections_text_check(&t->sections);
     if ((t->file != NULL) + (t->zones.n > 0) + (t->points.n > 0) != 1)
         return "one of file, zones and points must give the shape";
     if (turnout && (t->turnout.length == 0 || !t->file || !file_ends(t->file, ".yaml")))
@@ -124,23 +130,6 @@ static void shape_scale(struct prof_text *t, double unit)
     }
 }
 
-/* A file named by an input lies beside it, unless its name begins at the root. */
-static const char *file_place(char **file, const char *beside)
-{
-    const char *slash = strrchr(beside, '/');
-    if (!slash || **file == '/')
-        return NULL;
-    size_t n = (size_t)(slash - beside) + 1, m = strlen(*file);
-    char *path = calloc(n + m + 1, 1);
-    if (!path)
-        return REASON_MEMORY;
-    memcpy(path, beside, n);
-    memcpy(path + n, *file, m);
-    free(*file);
-    *file = path;
-    return NULL;
-}
-
 static double unit_of(const struct prof_text *t)
 {
     return t->unit == PROF_MM ? 1e-3 : 1;
@@ -151,8 +140,8 @@ const char *prof_text_read(struct prof_text *t, const char *path, char *const *s
     const char *why = yaml_read(path, &prof_text_schema, set, sets, t, hash);
     if (why)
         return why;
-    if (!(why = text_check(t)) && t->file)
-        why = file_place(&t->file, path);
+    if (!(why = text_check(t)) && !(why = beside_place(&t->file, path)))
+        why = sections_text_place(&t->sections, path);
     if (why)
         prof_text_free(t);
     else
@@ -166,14 +155,17 @@ const char *prof_text_file(struct prof_text *t, const char *file, enum prof_part
     char text[128];
     const char *slash = strrchr(file, '/'), *why;
 
-    snprintf(text, sizeof text, "profile: {name: shape, part: %s, unit: %s}", prof_part_names[part], prof_unit_names[unit]);
+    snprintf(text, sizeof text, "profile: {name: shape, part: %s, unit: %s%s}", prof_part_names[part], prof_unit_names[unit],
+             part == PROF_SECTIONS ? ", sections: {reference: 1}" : "");
     if ((why = yaml_read_text(text, &prof_text_schema, set, sets, t, hash)))
         return why;
     free(t->name);
     t->name = strdup(slash ? slash + 1 : file);
     if (t->file || t->zones.n || t->points.n)
         why = "--set: file, zones and points belong to a .yaml input";
-    else if (!t->name || !(t->file = strdup(file)))
+    else if (part == PROF_SECTIONS && (t->sections.from.file || t->sections.from.index || t->sections.from.list.n))
+        why = "--set: the sections are those of the .slcs";
+    else if (!t->name || !(*(part == PROF_SECTIONS ? &t->sections.from.file : &t->file) = strdup(file)))
         why = REASON_MEMORY;
     else
         why = text_check(t);

@@ -1,14 +1,15 @@
 /* The profile input, YAML with the root key `profile`: profile-input(5).
  *
- * A wheel, a rail, or a turnout made of a rail.  The shape is given as zones, points or a file, always that of the right side:
- * y to the right (the field side), z down.  Shapes may be in mm (key unit); everything else is SI. */
+ * A wheel, a rail, a turnout made of a rail, or measured sections along the track.  The shape is given as zones, points or a file, always
+ * that of the right side: y to the right (the field side), z down.  Shapes may be in mm (key unit); everything else is SI. */
 #ifndef VX_FORMATS_PROF_TEXT_H
 #define VX_FORMATS_PROF_TEXT_H
 
+#include "formats/sections_text.h"
 #include "formats/shape.h"
 #include "formats/yaml.h"
 
-enum prof_part { PROF_WHEEL, PROF_RAIL, PROF_TURNOUT };
+enum prof_part { PROF_WHEEL, PROF_RAIL, PROF_TURNOUT, PROF_SECTIONS };
 enum prof_unit { PROF_UNSTATED, PROF_M, PROF_MM };
 enum prof_mirror { PROF_MIRROR_UNSTATED, PROF_MIRROR_NO, PROF_MIRROR_YES };
 enum { TURNOUT_RIGHT, TURNOUT_LEFT };
@@ -79,6 +80,7 @@ struct prof_text {
     double gauge, gauge_depth;     /* m, of a rail */
     double smoothing, spacing;     /* m, wavelength that is halved; between points */
     struct turnout_text turnout;
+    struct sections_text sections;
 };
 
 extern const struct yaml_schema prof_text_schema;

@@ -1,4 +1,4 @@
-/* vxprofile: cross-sections of a wheel, of a rail, or of the rails of a turnout.
+/* vxprofile: cross-sections of a wheel, of a rail, of the rails of a turnout, or measured along the track.
  *
  * In: the profile input (YAML), a Simpack .prr or .prw, or plain points.  Out: .prof of one side: polylines with slope and
  * curvature, y to the right, z down, y increasing.
@@ -7,6 +7,7 @@
 
 #include <inttypes.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define XXH_INLINE_ALL
@@ -14,11 +15,11 @@
 
 #include "formats/prof.h"
 #include "formats/prof_text.h"
+#include "formats/reason.h"
 #include "tools/profile/check.h"
 #include "tools/profile/gauge.h"
 #include "tools/profile/orient.h"
-#include "tools/profile/section.h"
-#include "tools/profile/set.h"
+#include "tools/profile/route.h"
 #include "tools/profile/turnout.h"
 #include "tools/profile/zones.h"
 
@@ -73,6 +74,12 @@ static void input_read(const char *path, struct prof_text *t, uint64_t *hash)
         cli_check(path, prof_text_read(t, path, set.item, set.n, hash));
         return;
     }
+    if (ends(path, ".slcs") || ends(path, ".slcw")) {
+        if (part || unit)
+            cli_misuse("--part and --unit are for plain points; --set unit=mm where the sections are");
+        cli_check(path, prof_text_file(t, path, PROF_SECTIONS, PROF_UNSTATED, set.item, set.n, hash));
+        return;
+    }
     if ((k->part && part) || (k->unit > 0 && unit))
         cli_misuse("--part and --unit are for plain points, %s says its own", path);
     if (!k->part && !part)
@@ -114,6 +121,21 @@ static void section_read(const char *path, const struct prof_text *t, struct sec
         cli_die("%s: a turnout is made of a rail", t->file);
     shape_make(t->file, &rail, &o, s, hash);
     prof_text_free(&rail);
+}
+
+/* Sections measured along the track; what they have in common is told by *s. */
+static void sections_measure(const char *path, const struct prof_text *t, struct section *s, struct set *sections, uint64_t *hash)
+{
+    const struct sections_extra *extra = t->sections.extra.item;
+    int64_t n = t->sections.extra.n + 1;
+    struct sections *list = calloc((size_t)n, sizeof *list);
+
+    for (int64_t i = 0; list && i < n; i++)
+        cli_check(path, sections_read(&list[i], t, i ? &extra[i - 1].from : &t->sections.from, hash));
+    cli_check(path, list ? route_sections(t, list, s, sections) : REASON_MEMORY);
+    for (int64_t i = 0; i < n; i++)
+        sections_free(&list[i]);
+    free(list);
 }
 
 /* The outline is taken over by the set. */
@@ -202,7 +224,7 @@ int main(int argc, char **argv)
     char **path = cli_begin(&program, argc, argv, 0, 1, &n);
     struct prof_text text;
     struct section section;
-    struct check measures;
+    struct check measures = {0};
     struct set sections;
     struct prof prof = {0};
     uint64_t hash;
@@ -216,9 +238,13 @@ int main(int argc, char **argv)
     if (n == 0)
         return cli_end();
     input_read(path[0], &text, &hash);
-    section_read(path[0], &text, &section, &hash);
-    check_wheel(&section.outline, text.flange_back, &measures);
-    sections_gather(path[0], &text, &section, &sections);
+    if (text.part == PROF_SECTIONS) {
+        sections_measure(path[0], &text, &section, &sections, &hash);
+    } else {
+        section_read(path[0], &text, &section, &hash);
+        check_wheel(&section.outline, text.flange_back, &measures);
+        sections_gather(path[0], &text, &section, &sections);
+    }
 
     strncpy(prof.name, text.name, sizeof prof.name - 1);
     prof.part = text.part == PROF_WHEEL ? 'w' : 'r';

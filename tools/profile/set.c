@@ -34,6 +34,7 @@ void set_free(struct set *t)
         outline_free(&t->poly[i].outline);
     free(t->station);
     free(t->poly);
+    free(t->names);
     *t = (struct set){0};
 }
 
@@ -84,7 +85,7 @@ const char *set_prof(const struct set *t, char side, struct prof *p)
         return REASON_MEMORY;
     memcpy(s.station, t->station, (size_t)t->sections * sizeof *s.station);
     for (int64_t i = 0; i < t->bodies; i++)
-        strncpy(s.name[i], t->body[i], PROF_NAME - 1);
+        strncpy(s.name[i], t->names ? t->names[i] : t->body[i], PROF_NAME - 1);
     for (int64_t i = 0; i < t->polys; i++) {
         s.section[i] = t->poly[i].section;
         s.body[i] = t->poly[i].body;

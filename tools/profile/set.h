@@ -7,7 +7,8 @@
 
 struct set {
     int64_t bodies;
-    const char *const *body;       /* [bodies] names */
+    const char *const *body;       /* [bodies] names, those of others */
+    char (*names)[PROF_NAME];      /* [bodies] instead, its own */
     int64_t sections, polys;
     double *station;               /* m [sections] */
     struct set_poly {

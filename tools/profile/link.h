@@ -1,0 +1,14 @@
+/* Which lengths along a section's curve belong to which along the next one's. */
+#ifndef VX_PROFILE_LINK_H
+#define VX_PROFILE_LINK_H
+
+#include "tools/profile/loft.h"
+
+/* Joined at the features that both pieces have at like distances.  Ends are joined where they lie about as far from the last feature;
+ * where one piece reaches further, as far as the shorter one goes. */
+void link_make(const struct piece *a, const struct piece *b, struct loft_link *link);
+
+/* to at `from`, by a table from[n], to[n]; NAN beyond it. */
+double link_map(int n, const double *from, const double *to, double at);
+
+#endif
