@@ -7,6 +7,7 @@ set -e
 out=${1:?usage: bench.sh FILE.tsv}
 PATH=$PWD/build/bin:$PATH
 export OPENBLAS_NUM_THREADS=1
+unset VX_CACHE
 dir=$(mktemp -d)
 trap 'rm -rf "$dir"' EXIT
 
@@ -52,6 +53,8 @@ done
 # The rail that carries switch and nose: the left one diverging, the right one on the through route.
 vxprofile --side l --set turnout.stations="$thirty" -o "$dir/thirty-l.prof" $turnout
 vxprofile --side r --set turnout.stations="$thirty" --set turnout.route=through -o "$dir/thirty-r.prof" $turnout
+vxprofile --side l -o "$dir/full-l.prof" $turnout
+vxprofile --side r --set turnout.route=through -o "$dir/full-r.prof" $turnout
 vxtrack -o "$dir/t.trk" data/tracks/60E1-R760-1-15-diverging.yaml
 vxtrack --set from=-60 --set length=120 -o "$dir/straight.trk" data/tracks/thesis-straight.yaml
 vxvehicle -o "$dir/coach.veh" data/vehicles/manchester-passenger.yaml
@@ -62,10 +65,11 @@ passage()
         data/cases/diverging-80.yaml
 }
 
+# both_tables NAME: of NAME-l.prof and NAME-r.prof.
 both_tables()
 {
     for side in l r; do
-        vxcontact --wheel "$dir/w$side.prof" --rail "$dir/thirty-$side.prof" --yaw exact -o "$dir/thirty-$side.ctab"
+        vxcontact --wheel "$dir/w$side.prof" --rail "$dir/$1-$side.prof" --yaw exact -o "$dir/$1-$side.ctab"
     done
 }
 
@@ -81,7 +85,15 @@ starts()
 printf 'name\tvalue\tunit\tbudget\tlimit\n' >"$dir/tsv"
 job "passage, 120 m, 80 km/h, FASTSIM 10x10" 0.6 0.43 passage -o "$dir/d.run"
 row "start-up" "$(median starts | awk '{print $1/10}')" s 0.03 -
-job "contact table, 30 sections, 2 sides, 21 yaws, 0.1 mm" 3 - both_tables
+job "contact table, 30 sections, 2 sides, 21 yaws, 0.1 mm" 3 - both_tables thirty
+sections=$(vxinfo "$dir/full-l.prof" | awk '$2 == "station" {print $4}')
+job "contact table, full turnout, $sections sections, 2 sides" 3 - both_tables full
+mkdir "$dir/cache"
+VX_CACHE=$dir/cache both_tables full
+VX_CACHE=$dir/cache job "the same from the cache" - - both_tables full
+"$PWD/build/tests/bench/lookup" "$dir/full-l.ctab" >"$dir/lookup"
+row "contact look-up, along a run" "$(awk '$1 == "along" {print $2}' "$dir/lookup")" ns 150 -
+row "contact look-up, at random" "$(awk '$1 == "random" {print $2}' "$dir/lookup")" ns 150 -
 job "receptance, 120 m track, 1451 frequencies" 0.5 0.17 \
     vxfreq --receptance --excite both --at sleeper --from 50 --to 1500 --step 1 "$dir/straight.trk"
 passage -v -o "$dir/d.run" 2>"$dir/account"
