@@ -10,6 +10,7 @@
 #define APART 4e-3            /* m: nearer minima on one body are one patch (D_COMB of CONTACT, Vollebregt 2022) */
 #define WITHIN 8e-3           /* m: a contact further above the first is left out; no approach is that large */
 #define CROWN_LEAST 1.0       /* 1/m: flatter, z_yy says nothing of how a surface runs along the track */
+#define FALL_MOST 0.1         /* what falls more steeply along the track would meet a wheel 50 mm from the section, where it says little */
 #define BESIDE 1e-3           /* m beyond its end another body must reach for the end not to count */
 
 /* A rail's surface is taken as developable, swept along straight lines as a wing rail that runs aslant is: z_xx z_yy = z_xy^2 gives its bend
@@ -38,6 +39,9 @@ static void poly_copy(const struct prof *p, int64_t poly, int mirror, struct gap
         o->along[i] = p->fall[j];
     }
     line_bend(o);
+    for (int64_t i = 0; i < o->n; i++)
+        if (fabs(o->along[i]) > FALL_MOST)
+            o->y[i] = (double)NAN;                                /* the flank of a wing rail that runs aslant, the tip of a nose */
 }
 
 static int64_t longest(const struct prof *p)
