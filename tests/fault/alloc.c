@@ -1,10 +1,12 @@
 /* Memory that runs out at each allocation in turn: formats say so, and leave nothing behind.
  *
  * Linked with --wrap for the allocator, so only allocations of Veksel's own sources are counted and fail, not those inside libraries. */
+#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
+#include "formats/cache.h"
 #include "formats/export_csv.h"
 #include "formats/trk.h"
 #include "formats/trk_text.h"
@@ -83,7 +85,7 @@ void __wrap_free(void *p)
 
 /* ---- what is tried ---- */
 
-static char path[] = "/tmp/vxf-alloc.XXXXXX";
+static char path[] = "/tmp/vxf-alloc.XXXXXX", folder[] = "/tmp/vxf-alloc-cache.XXXXXX";
 static const double x[6] = {1, 2, 3, 4, 5, 6};
 
 static const char *write_plain(void)
@@ -144,6 +146,39 @@ static const char *read_all(void)
     return why;
 }
 
+static const char *read_without_mapping(void)
+{
+    struct vxf f;
+    int fd = open(path, O_RDONLY);
+    const char *why = vxf_open_fd(&f, fd);
+
+    if (!why) {
+        vxf_close(&f);
+        why = vxf_open_header(&f, fd);
+    }
+    if (!why)
+        vxf_close(&f);
+    close(fd);
+    return why;
+}
+
+/* Three times, for one allocation serves many entries. */
+static const char *list_cache(void)
+{
+    char entry[sizeof folder + CACHE_NAME];
+    struct cache_list l;
+    const char *why = NULL;
+
+    snprintf(entry, sizeof entry, "%s/%032d.ctab", folder, 0);
+    fclose(fopen(entry, "wb"));
+    for (int i = 0; i < 3 && !why; i++) {
+        why = cache_list_read(&l, folder);
+        cache_list_free(&l);
+    }
+    unlink(entry);
+    return why;
+}
+
 static const char *pass_on(void)
 {
     struct vxf f;
@@ -199,12 +234,17 @@ static void try_all(const char *what, const char *(*try)(void))
 int main(void)
 {
     close(mkstemp(path));
+    if (!mkdtemp(folder))
+        return 1;
     try_all("writing a file", write_plain);
     try_all("reading it", read_all);
+    try_all("reading it without mapping it", read_without_mapping);
+    try_all("listing a cache", list_cache);
     try_all("passing its history on", pass_on);
     try_all("writing a stream", write_stream);
     try_all("reading that", read_all);
     try_all("reading an input", read_input);
     unlink(path);
+    rmdir(folder);
     return done();
 }
