@@ -16,7 +16,7 @@
 #include "tools/contact/hertz.h"
 
 #define LOWEST (-8.0)        /* log(B/A) of the law's first entry */
-#define RATIO_STEP 0.0625
+#define RATIO_STEP 0.03125
 #define FLATTEST 0.1         /* 1/m: hollow and flat strips count as this, as in the method's published implementation */
 #define EXACT 1e-13          /* of the load */
 

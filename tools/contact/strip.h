@@ -6,7 +6,7 @@
 
 #include <stdint.h>
 
-enum { STRIP_RATIOS = 321 };
+enum { STRIP_RATIOS = 641 };
 
 /* Hertz's results over B/A, for one material. */
 struct strip_law {

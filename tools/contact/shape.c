@@ -1,0 +1,166 @@
+/* With phi the slope angle of the plane of contact, a point of the rail dy, dz away lies at dy cos(phi) + dz sin(phi) along the plane, and
+ * a wheel of slope s a vertical distance g above it lies
+ *
+ *     g/(cos(phi) + s sin(phi))
+ *
+ * away along the normal; the wheel's radius R in the plane y = const becomes A = 1/(2 R (cos(phi) + s sin(phi))). */
+#include "tools/contact/shape.h"
+
+#include <math.h>
+
+#define NEAR 1.5             /* semi-axes to either side that count as the patch */
+#define FAR 0.015            /* m, within which another part of the patch is looked for */
+#define FAR_NODES 3          /* from one look to the next */
+#define NEAR_LOOKS 40        /* about as many looks at the patch */
+#define OWN 4e-3             /* m: minima further apart are contacts of their own (search.c) */
+#define ALL 0.02             /* m */
+#define OWN_ROWS 48
+#define DEEPER 3.0           /* times the depth, where the patch filled the rows */
+
+struct frame {
+    const struct shape_pair *p;
+    const struct gap_minimum *m;
+    int64_t off;             /* wheel's index of the rail's node 0 */
+    double z0;               /* m, of the rail at the contact */
+    double c, s;             /* cos, sin of the contact angle */
+};
+
+static int frame_make(const struct shape_pair *p, const struct gap_minimum *m, struct frame *f)
+{
+    struct gap_place here;
+
+    if (m->end || !gap_at(p->rail, p->wheel, p->shift, p->step, m->y, &here))
+        return 0;
+    double c = 1 / sqrt(1 + m->slope * m->slope);
+    *f = (struct frame){p, m, p->rail->first - p->wheel->first - p->shift, here.z, c, c * m->slope};
+    return 1;
+}
+
+/* Nodes of the rail within `reach` (m) of the contact that both curves have. */
+static void frame_nodes(const struct frame *f, double reach, int64_t *lo, int64_t *hi)
+{
+    const struct gap_curve *r = f->p->rail, *w = f->p->wheel;
+    double at = f->m->y / f->p->step - (double)r->first, nodes = reach / f->p->step;
+    int64_t last = r->n - 1 < w->n - 1 - f->off ? r->n - 1 : w->n - 1 - f->off;
+
+    *lo = (int64_t)fmax(ceil(at - nodes), f->off < 0 ? (double)-f->off : 0);
+    *hi = (int64_t)fmin(floor(at + nodes), (double)last);
+}
+
+/* Gap (m) and place (m) of the rail's node i. */
+static double node_gap(const struct frame *f, int64_t i, double *y)
+{
+    const struct gap_curve *r = f->p->rail, *w = f->p->wheel;
+    int64_t j = i + f->off;
+    double e = r->along[i], g = r->z[i] - w->z[j] + e * (w->along[j] - 0.5 * w->reach[j] * e) - f->m->gap;
+
+    *y = ((double)(r->first + i) * f->p->step - f->m->y) * f->c + (r->z[i] - f->z0) * f->s;
+    return g / (f->c + w->slope[j] * f->s);
+}
+
+/* Sum of |depth - parabola's| from node lo to hi, every `stride`. */
+static double looks(const struct frame *f, int64_t lo, int64_t hi, int64_t stride, double B, double depth)
+{
+    double sum = 0, y;
+
+    for (int64_t i = lo; i <= hi; i += stride) {
+        double d = depth - node_gap(f, i, &y), parabola = depth - B * y * y;
+        double width = f->c + f->p->rail->slope[i] * f->s;        /* NaN where nothing covers the node */
+        d = d > 0 ? d : 0;
+        parabola = parabola > 0 ? parabola : 0;
+        sum += width > 0 ? fabs(d - parabola) * width : 0;
+    }
+    return sum * (double)stride * f->p->step;
+}
+
+double shape_deviation(const struct shape_pair *p, const struct gap_minimum *m, double B, const struct hertz *h, double load)
+{
+    double b = h->b1 * cbrt(load), depth = B * b * b;
+    struct frame f;
+    int64_t lo, hi, first, last;
+
+    if (!frame_make(p, m, &f))
+        return 1;
+    frame_nodes(&f, NEAR * b * f.c, &lo, &hi);
+    frame_nodes(&f, fmax(FAR, NEAR * b * f.c), &first, &last);
+    int64_t stride = (hi - lo) / NEAR_LOOKS + 1;
+    double sum = looks(&f, lo, hi, stride, B, depth) + looks(&f, first, lo - 1, FAR_NODES, B, depth) + looks(&f, hi + 1, last, FAR_NODES, B, depth);
+    return sum / (4.0 / 3 * depth * b);
+}
+
+/* How far the rows must go: from the contact outwards (way -1 or 1) to the first node of a gap above `limit`, or of a new contact; with
+ * SHAPE_ALL to the last above it. */
+static double extent_end(const struct frame *f, int way, double limit, enum shape_extent extent)
+{
+    int64_t lo, hi;
+    double at = f->m->y / f->p->step - (double)f->p->rail->first, last = 0, y;
+
+    frame_nodes(f, ALL, &lo, &hi);
+    int64_t i = way > 0 ? (int64_t)floor(at) + 1 : (int64_t)ceil(at) - 1, end = i;
+    for (int inside = 1; i >= lo && i <= hi; i += way) {
+        double g = node_gap(f, i, &y);
+        if (extent == SHAPE_OWN && (!(g <= limit) || (fabs(y) > OWN && g < last)))
+            return (double)(f->p->rail->first + i) * f->p->step;
+        if (g <= limit || inside)
+            end = i;
+        inside = g <= limit;
+        last = g;
+    }
+    return (double)(f->p->rail->first + end) * f->p->step;
+}
+
+/* n rows evenly over y of from .. to (m, on the rail); less where a curve has a hole. */
+static int64_t rows_between(const struct frame *f, double from, double to, int64_t n, struct strip_row *row)
+{
+    int64_t k = 0;
+
+    for (int64_t i = 0; i < n; i++) {
+        struct gap_place at;
+        double y = from + (to - from) * (double)i / (double)(n - 1);
+        if (!gap_at(f->p->rail, f->p->wheel, f->p->shift, f->p->step, y, &at))
+            continue;
+        double turn = f->c + (at.rail - at.slope) * f->s;
+        row[k++] = (struct strip_row){
+            .y = (y - f->m->y) * f->c + (at.z - f->z0) * f->s, .gap = (at.gap - f->m->gap) / turn, .A = 0.5 / (at.reach * turn),
+        };
+    }
+    return k;
+}
+
+int64_t shape_patch(const struct shape_pair *p, const struct gap_minimum *m, double B, const struct hertz *h, double load,
+                    const struct strip_law *law, enum shape_extent extent, struct strip_row row[SHAPE_ROWS], struct strip_patch *patch)
+{
+    double b = h->b1 * cbrt(load), limit = 2 * B * b * b, from = 0, to = 0;
+    struct frame f;
+    int64_t n = 0;
+
+    if (!frame_make(p, m, &f))
+        return 0;
+    for (int filled = 1; filled; limit *= DEEPER) {
+        double first = extent_end(&f, -1, limit, extent), last = extent_end(&f, 1, limit, extent);
+        if (n > 0 && first >= from && last <= to)
+            break;
+        from = first;
+        to = last;
+        n = rows_between(&f, from, to, extent == SHAPE_OWN ? OWN_ROWS : SHAPE_ROWS, row);
+        if (n < 3)
+            return 0;
+        strip_prepare(law, row, n);
+        strip_patch(row, n, strip_approach(row, n, load), patch);
+        filled = row[0].half > 0 || row[n - 1].half > 0;
+    }
+    return n;
+}
+
+void shape_hertz(const struct shape_pair *p, const struct gap_minimum *m, double B, double load, const struct strip_law *law,
+                 struct hertz *h)
+{
+    struct strip_row row[SHAPE_ROWS];
+    struct strip_patch patch;
+
+    if (!shape_patch(p, m, B, h, load, law, SHAPE_OWN, row, &patch))
+        return;
+    h->C = load / (patch.approach * sqrt(patch.approach));
+    h->a1 = patch.a / cbrt(load);
+    h->b1 = patch.b / cbrt(load);
+}
