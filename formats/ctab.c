@@ -62,6 +62,7 @@ static const char *check_columns(const struct vxf *f)
 static const char *read_keys(struct ctab *t, const struct vxf *f)
 {
     const struct { const char *key; double *value; int positive; } number[] = {
+        {"LOAD", &t->load, 1},
         {"SHEAR_MODULUS", &t->shear_modulus, 1},
         {"POISSON", &t->poisson, 0},
         {"RADIUS", &t->radius, 1},
@@ -72,7 +73,7 @@ static const char *read_keys(struct ctab *t, const struct vxf *f)
     const char *why;
 
     if ((why = vxf_key(f, "SIDE", side, sizeof side)) ||
-        (why = vxf_key(f, "YAW_METHOD", t->yaw_method, sizeof t->yaw_method)))
+        (why = vxf_key(f, "YAW_METHOD", t->yaw_method, sizeof t->yaw_method)) || (why = vxf_key(f, "NORMAL", t->normal, sizeof t->normal)))
         return why;
     if (strcmp(side, "l") && strcmp(side, "r"))
         return reason("SIDE is %s, must be l or r", side);
@@ -171,6 +172,8 @@ const char *ctab_put(const struct ctab *t, struct vxf_out *o)
 
     vxf_put_key(o, "SIDE", "%c", t->side);
     vxf_put_key(o, "YAW_METHOD", "%s", t->yaw_method);
+    vxf_put_key(o, "NORMAL", "%s", t->normal);
+    vxf_put_key(o, "LOAD", "%.17g", t->load);
     vxf_put_key(o, "SHEAR_MODULUS", "%.17g", t->shear_modulus);
     vxf_put_key(o, "POISSON", "%.17g", t->poisson);
     vxf_put_key(o, "RADIUS", "%.17g", t->radius);

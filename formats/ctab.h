@@ -45,6 +45,8 @@ extern const struct ctab_column_info ctab_columns[CTAB_N];
 struct ctab {
     char side;                  /* 'l' or 'r' */
     char yaw_method[8];         /* none, thesis, exact */
+    char normal[8];             /* hertz, or strip: the ellipse stands for a patch made strip by strip */
+    double load;                /* N, on a contact: reference of the shape column and of strips */
     double shear_modulus;       /* Pa, of the Hertz columns */
     double poisson;             /* 1 */
     double radius;              /* m, nominal rolling radius r0 */

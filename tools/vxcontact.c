@@ -23,7 +23,8 @@ enum { SWEEP_MOST = 4801, AMPLITUDES = 100 };
 
 static const char usage[] =
     "vxcontact --wheel FILE --rail FILE --yaw none|thesis|exact [--u-max M] [--u-step M]\n"
-    "          [--yaw-max RAD] [--yaws N] [--shear-modulus PA] [--poisson NU] [-o FILE]\n"
+    "          [--yaw-max RAD] [--yaws N] [--shear-modulus PA] [--poisson NU]\n"
+    "          [--normal hertz|strip] [--load N] [-o FILE]\n"
     "vxcontact --query u=M[,yaw=RAD][,s=M][,roll=RAD] TABLE\n"
     "vxcontact --path u=M,from=M,to=M,step=M[,yaw=RAD][,roll=RAD] TABLE\n"
     "vxcontact --sweep yaw=RAD[,s=M] TABLE...\n"
@@ -33,6 +34,7 @@ static const char usage[] =
     "vxcontact --cache-list | --cache-verify | --cache-prune days=N[,size=GB]";
 
 static const char *const yaw_methods[] = {"none", "thesis", "exact", NULL};
+static const char *const normal_laws[] = {"hertz", "strip", NULL};
 
 static struct {
     const char *wheel, *rail, *query, *path, *sweep, *wheelset, *conicity, *out;
@@ -42,7 +44,7 @@ static struct {
     struct cli_cache_care cache;
 } opt = {
     .yaw = -1,
-    .grid = {.u_max = 0.012, .u_step = 1e-4, .shear_modulus = 82e9, .poisson = 0.28},
+    .grid = {.u_max = 0.012, .u_step = 1e-4, .shear_modulus = 82e9, .poisson = 0.28, .load = 80e3},
 };
 
 static const struct cli_option options[] = {
@@ -55,6 +57,8 @@ static const struct cli_option options[] = {
     {.name = "yaws", .type = CLI_INT, .value = &opt.grid.yaws, .lo = 2, .hi = 401},
     {.name = "shear-modulus", .type = CLI_NUM, .value = &opt.grid.shear_modulus, .lo = 1e6, .hi = 1e13},
     {.name = "poisson", .type = CLI_NUM, .value = &opt.grid.poisson, .lo = 0, .hi = 0.5},
+    {.name = "normal", .type = CLI_CHOICE, .value = &opt.grid.normal, .choice = normal_laws},
+    {.name = "load", .type = CLI_NUM, .value = &opt.grid.load, .lo = 1e2, .hi = 1e6},
     {.name = "query", .type = CLI_TEXT, .value = &opt.query},
     {.name = "path", .type = CLI_TEXT, .value = &opt.path},
     {.name = "sweep", .type = CLI_TEXT, .value = &opt.sweep},

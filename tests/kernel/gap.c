@@ -73,11 +73,12 @@ int main(void)
     struct gap_curve plane = arc(0, 0, 0, 1e9, -1, 0.03), wheel = arc(1, 0, 0, 0.1, 1, 0.02);
     int n = gap_minima(&search, &plane, &wheel, 37, 0, m, 4);
     ok(n == 1 && fabs(m[0].y - 37 * STEP) < 1e-9 && fabs(m[0].gap) < 1e-12, "circle on plane: touches below its centre");
+    const struct gap_pair both = {&plane, &wheel, 37, STEP};
     struct gap_place at;
     double c = sqrt(0.01 - 3.33e-3 * 3.33e-3);
-    ok(gap_at(&plane, &wheel, 37, STEP, 7.03e-3, &at) && fabs(at.gap - (0.1 - c)) < 1e-11 && fabs(at.slope - 3.33e-3 / c) < 1e-8,
+    ok(gap_at(&both, 7.03e-3, &at) && fabs(at.gap - (0.1 - c)) < 1e-11 && fabs(at.slope - 3.33e-3 / c) < 1e-8,
        "between the nodes the gap is that to the circle");
-    ok(!gap_at(&plane, &wheel, 37, STEP, 0.0238, &at) && !gap_at(&plane, &wheel, 37, STEP, -0.031, &at), "beyond a curve there is none");
+    ok(!gap_at(&both, 0.0238, &at) && !gap_at(&both, -0.031, &at), "beyond a curve there is none");
 
     /* Rail z = h (1 - cos(2 pi y/L)): crests at multiples of L, the wheel nearly flat. */
     for (int pass = 0; pass < 2; pass++) {

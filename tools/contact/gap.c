@@ -73,7 +73,7 @@ void gap_tabulate(const struct gap_line *line, double step, struct gap_curve *c)
             tabulate_piece(line, i, step, c);
     c->level = 1;
     for (int64_t i = 0; i < line->n; i++)
-        c->level &= line->along[i] == 0;
+        c->level &= line->along[i] == 0 && line->bend[i] == 0;
 }
 
 /* Where a cubic with end values g0, g1 and end slopes d0 < 0 <= d1 (all per cell) is least, in (0, 1]. */
@@ -144,12 +144,16 @@ static void gap_slopes(const struct overlap *o, double *restrict d)
         d[i] = gap_slope(o, i);
 }
 
-static double gap_height(const struct overlap *o, int64_t i)
+double gap_node(const struct gap_curve *rail, const struct gap_curve *wheel, int64_t i, int64_t j)
 {
-    int64_t j = i + o->off;
     double x;
 
-    return o->r->z[i] - o->w->z[j] + nearest(o->r->along[i], o->r->bend[i], o->w->along[j], o->w->bend[j], &x);
+    return rail->z[i] - wheel->z[j] + (rail->level ? 0 : nearest(rail->along[i], rail->bend[i], wheel->along[j], wheel->bend[j], &x));
+}
+
+static double gap_height(const struct overlap *o, int64_t i)
+{
+    return gap_node(o->r, o->w, i, i + o->off);
 }
 
 static double between(const double *a, double t)
@@ -216,10 +220,11 @@ int gap_minima(const struct gap_search *s, const struct gap_curve *rail, const s
     return n;
 }
 
-int gap_at(const struct gap_curve *rail, const struct gap_curve *wheel, int64_t shift, double step, double y, struct gap_place *p)
+int gap_at(const struct gap_pair *pair, double y, struct gap_place *p)
 {
-    struct overlap o = {.r = rail, .w = wheel, .off = rail->first - wheel->first - shift};
-    double at = y / step - (double)rail->first;
+    const struct gap_curve *rail = pair->rail, *wheel = pair->wheel;
+    struct overlap o = {.r = rail, .w = wheel, .off = rail->first - wheel->first - pair->shift};
+    double step = pair->step, at = y / step - (double)rail->first;
     int64_t i = (int64_t)at, j = i + o.off;
 
     if (!(at >= 0) || i > rail->n - 2 || j < 0 || j > wheel->n - 2)
@@ -227,6 +232,7 @@ int gap_at(const struct gap_curve *rail, const struct gap_curve *wheel, int64_t 
     double t = at - (double)i, d0 = gap_slope(&o, i), d1 = gap_slope(&o, i + 1);
     struct hermite gap = hermite_at(gap_height(&o, i), d0, gap_height(&o, i + 1), d1, step, t);
     struct hermite z = hermite_at(rail->z[i], rail->slope[i], rail->z[i + 1], rail->slope[i + 1], step, t);
-    *p = (struct gap_place){.gap = gap.z, .z = z.z, .slope = gap.slope, .rail = z.slope, .reach = 1 / between(wheel->bend + j, t)};
+    *p = (struct gap_place){.gap = gap.z, .z = z.z, .slope = gap.slope, .rail = z.slope,
+                             .bend = between(rail->bend + i, t) + between(wheel->bend + j, t)};
     return !isnan(gap.slope);
 }

@@ -28,7 +28,7 @@ struct gap_curve {
     double *z, *slope, *k;   /* as above [n] */
     double *along, *along_y; /* e or X, and its derivative by y [n] */
     double *bend, *bend_y;   /* k or b, the same [n] */
-    int level;               /* e or X is 0 everywhere */
+    int level;               /* along and bend are 0 everywhere */
 };
 
 enum { GAP_ARRAYS = 7 };     /* of n doubles in a gap_curve */
@@ -63,13 +63,23 @@ struct gap_search {
 int gap_minima(const struct gap_search *s, const struct gap_curve *rail, const struct gap_curve *wheel, int64_t shift, int ends,
                struct gap_minimum *m, int most);
 
+/* A rail and a wheel moved right by `shift` nodes. */
+struct gap_pair {
+    const struct gap_curve *rail, *wheel;
+    int64_t shift;
+    double step;             /* m, of the grid */
+};
+
 struct gap_place {
     double gap, z;           /* m, z of the rail */
     double slope, rail;      /* 1, of the gap and of the rail */
-    double reach;            /* m, R of the wheel */
+    double bend;             /* 1/m, of both along the track, b + k */
 };
 
-/* What lies at y (m, on the rail) with the wheel moved so: 1, or 0 where one of the curves does not reach. */
-int gap_at(const struct gap_curve *rail, const struct gap_curve *wheel, int64_t shift, double step, double y, struct gap_place *p);
+/* The gap (m) at node i of the rail, over which lies node j of the wheel. */
+double gap_node(const struct gap_curve *rail, const struct gap_curve *wheel, int64_t i, int64_t j);
+
+/* What lies at y (m, on the rail): 1, or 0 where one of the curves does not reach. */
+int gap_at(const struct gap_pair *pair, double y, struct gap_place *p);
 
 #endif

@@ -9,6 +9,7 @@
 
 #include "tools/contact/hertz.h"
 #include "tools/contact/locus.h"
+#include "tools/contact/patch.h"
 
 #define ROLL_Y_MOST 5.0       /* m/rad: flatter than 0.2 1/m the contact runs away and its rate says nothing */
 #define END_CURVATURE 1e3     /* 1/m: an end of a rail section is taken as an edge of 1 mm radius */
@@ -21,7 +22,8 @@ static double row_twist(const struct locus_point *p, double fall, double yaw)
     return cosine < 1 ? acos(cosine) : 0;
 }
 
-void row_make(const struct search_contact *c, const struct search *s, const struct ctab *t, double yaw, double u, float row[CTAB_N])
+void row_make(const struct search_contact *c, const struct search *s, const struct ctab *t, double yaw, double u, const struct strip_law *law,
+              float row[CTAB_N])
 {
     const struct gap_minimum *m = &c->at;
     struct locus_point p;
@@ -36,6 +38,9 @@ void row_make(const struct search_contact *c, const struct search *s, const stru
         locus_invert(x, y, z, m->slope, t->radius, yaw, &p);
     hertz_curvatures(wheel_k, 1 / (p.r * sqrt(1 + p.rate * p.rate)), rail_k, row_twist(&p, m->fall, c->cut ? 0 : yaw), &A, &B);
     hertz_contact(A, B, t->shear_modulus, t->poisson, &h);
+    double shape = patch_deviation(&c->pair, m, B, &h, t->load);
+    if (law)
+        patch_hertz(&c->pair, m, B, t->load, law, &h);
     double roll_y = both > 0 ? (t2 - wheel_k * bend * z) / both : ROLL_Y_MOST;
     double value[CTAB_N] = {
         [CTAB_HEIGHT] = m->gap,
@@ -55,6 +60,7 @@ void row_make(const struct search_contact *c, const struct search *s, const stru
         [CTAB_HEIGHT_S] = m->fall,
         [CTAB_HEIGHT_ROLL] = -(y - s->wheel_position + m->slope * z),
         [CTAB_ROLL_Y] = m->end ? 0 : fmax(0, fmin(roll_y, ROLL_Y_MOST)),
+        [CTAB_SHAPE] = shape,
         [CTAB_BODY] = c->body,
     };
     for (int i = 0; i < CTAB_N; i++)

@@ -6,9 +6,12 @@
 
 #include "formats/ctab.h"
 #include "tools/contact/search.h"
+#include "tools/contact/strip.h"
 
-/* Of the search s, the wheel yawed (rad) and moved right by u (m); radius and material of t. */
-void row_make(const struct search_contact *c, const struct search *s, const struct ctab *t, double yaw, double u, float row[CTAB_N]);
+/* Of the search s, the wheel yawed (rad) and moved right by u (m); radius, material and reference load of t.  Patches are Hertz's, or
+ * those of law under that load where it is not NULL. */
+void row_make(const struct search_contact *c, const struct search *s, const struct ctab *t, double yaw, double u, const struct strip_law *law,
+              float row[CTAB_N]);
 
 /* The same contact of the other side. */
 void row_mirror(float row[CTAB_N]);

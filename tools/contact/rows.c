@@ -6,7 +6,7 @@
 
 static const enum ctab_column printed[ROWS_GAP - ROWS_CONTACT - 1] = {
     CTAB_HEIGHT, CTAB_RAIL_Y, CTAB_RAIL_Z, CTAB_X, CTAB_WHEEL_Y, CTAB_ANGLE, CTAB_RADIUS, CTAB_RAIL_K, CTAB_WHEEL_K,
-    CTAB_HERTZ_C, CTAB_HERTZ_A, CTAB_HERTZ_B, CTAB_BODY,
+    CTAB_HERTZ_C, CTAB_HERTZ_A, CTAB_HERTZ_B, CTAB_SHAPE, CTAB_BODY,
 };
 enum { PRINTED = sizeof printed / sizeof *printed };
 

@@ -8,7 +8,7 @@
 
 /* A contact's row; that of a wheelset's contact has its side, displacement and force before, up to ROWS_CONTACT; along a
  * path the station stands before, in ROWS_PATH. */
-enum { ROWS_SIDE, ROWS_U, ROWS_FORCE, ROWS_CONTACT, ROWS_PATH = ROWS_FORCE, ROWS_GAP = ROWS_CONTACT + 14, ROWS_N };
+enum { ROWS_SIDE, ROWS_U, ROWS_FORCE, ROWS_CONTACT, ROWS_PATH = ROWS_FORCE, ROWS_GAP = ROWS_CONTACT + 15, ROWS_N };
 enum { ROWS_REST = 3, ROWS_SWEEP = 10, ROWS_PARAMETERS = 6 };
 
 void rows_columns(struct column c[ROWS_N]);

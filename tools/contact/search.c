@@ -188,7 +188,8 @@ int search_contacts(const struct search *s, int64_t iy, int64_t shift, struct se
             int i = n < SEARCH_MOST ? n++ : n - 1;
             for (; i > 0 && c[i - 1].at.gap > found[k].gap; i--)
                 c[i] = c[i - 1];
-            c[i] = (struct search_contact){.at = found[k], .body = s->body[b], .cut = s->method == SEARCH_THESIS ? &s->cut[iy] : NULL};
+            c[i] = (struct search_contact){.at = found[k], .body = s->body[b], .pair = {&s->rail[b], &s->wheel[iy], shift, s->gap.step},
+                                           .cut = s->method == SEARCH_THESIS ? &s->cut[iy] : NULL};
         }
     }
     while (n > 0 && c[n - 1].at.gap > c[0].at.gap + WITHIN)

@@ -30,6 +30,7 @@ struct search {
 struct search_contact {
     struct gap_minimum at;
     int body;
+    struct gap_pair pair;                    /* the curves it lies between */
     const struct thesis_cut *cut;            /* of the wheel's profile, NULL where it is a silhouette */
 };
 

@@ -18,11 +18,14 @@
 #define YAW_MAX 0.02          /* rad, and how many, where not given */
 #define YAWS 21
 #define YAWS_THESIS 3
+#define LOAD 80e3             /* N, where not given: a wheel of a loaded coach */
 
 /* A table being filled. */
 struct filling {
     struct ctab *t;
     struct search search;
+    struct strip_law law;
+    int strips;              /* the law counts */
     double *station, *yaw, *u;
     int32_t *first;
     int64_t room;            /* rows there is memory for */
@@ -83,7 +86,7 @@ static const char *fill_us(struct filling *f, int64_t is, int64_t iy)
         int n = search_contacts(s, search_yaw, shift, c);
         for (int i = 0; i < n; i++) {
             float *row = t->row_store + t->rows++ * CTAB_N;
-            row_make(&c[i], s, t, t->yaw[search_yaw], (double)shift * s->gap.step, row);
+            row_make(&c[i], s, t, t->yaw[search_yaw], (double)shift * s->gap.step, f->strips ? &f->law : NULL, row);
             if (s->mirror)
                 row_mirror(row);
         }
@@ -145,7 +148,7 @@ const char *table_fill(struct ctab *t, const struct prof *wheel, const struct pr
 {
     static const char *const name[] = {"none", "thesis", "exact"};
     struct table_grid g = *grid;
-    struct filling f = {.t = t};
+    struct filling f = {.t = t, .strips = grid->normal == TABLE_STRIP};
     const char *why = check_pair(wheel, rail);
 
     *t = (struct ctab){0};
@@ -154,8 +157,11 @@ const char *table_fill(struct ctab *t, const struct prof *wheel, const struct pr
     *t = (struct ctab){
         .side = wheel->side, .yaws = method == TABLE_NONE ? 1 : g.yaws, .stations = rail->sections,
         .shear_modulus = g.shear_modulus, .poisson = g.poisson, .radius = wheel->radius,
-        .rail_position = rail->position, .wheel_position = wheel->position,
+        .load = g.load > 0 ? g.load : LOAD, .rail_position = rail->position, .wheel_position = wheel->position,
     };
+    memcpy(t->normal, f.strips ? "strip" : "hertz", 5);
+    if (f.strips)
+        strip_law(g.shear_modulus, g.poisson, &f.law);
     memcpy(t->yaw_method, name[method], strlen(name[method]));
     if (!(why = axes_room(&f, rail, &g)))
         why = search_begin(&f.search, wheel, rail, t->yaw, t->yaws, method == TABLE_THESIS ? SEARCH_THESIS : SEARCH_SILHOUETTE, g.u_step);

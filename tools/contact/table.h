@@ -8,12 +8,17 @@
 #include "formats/prof.h"
 
 /* Raise it by hand when the kernels' numbers change: part of the key of cached tables. */
-enum { TABLE_REVISION = 3 };
+enum { TABLE_REVISION = 4 };
 
 enum table_yaw {
     TABLE_NONE,              /* the orthogonal wheelset: one yaw, 0 */
     TABLE_THESIS,            /* the profile turned in two dimensions, closed over a section removed (thesis.h) */
     TABLE_EXACT              /* silhouette of the yawed wheel (locus.h) */
+};
+
+enum table_normal {
+    TABLE_HERTZ,
+    TABLE_STRIP              /* the columns of Hertz hold what the patch of strip.h has under the load */
 };
 
 struct table_grid {
@@ -22,6 +27,8 @@ struct table_grid {
     int64_t yaws;            /* over -yaw_max .. yaw_max, both included; 0: 21, by TABLE_THESIS 3 */
     double shear_modulus;    /* Pa */
     double poisson;          /* 1 */
+    int normal;              /* enum table_normal */
+    double load;             /* N, on a contact, under which patches are compared and made; 0: 80e3 */
 };
 
 /* Fills t, to be released by ctab_free. */

@@ -3,8 +3,8 @@
  *
  *     g/(cos(phi) + s sin(phi))
  *
- * away along the normal; the wheel's radius R in the plane y = const becomes A = 1/(2 R (cos(phi) + s sin(phi))). */
-#include "tools/contact/shape.h"
+ * away along the normal; a bend along the track in the plane y = const becomes A = bend/(2 (cos(phi) + s sin(phi))). */
+#include "tools/contact/patch.h"
 
 #include <math.h>
 
@@ -18,18 +18,18 @@
 #define DEEPER 3.0           /* times the depth, where the patch filled the rows */
 
 struct frame {
-    const struct shape_pair *p;
+    const struct gap_pair *p;
     const struct gap_minimum *m;
     int64_t off;             /* wheel's index of the rail's node 0 */
     double z0;               /* m, of the rail at the contact */
     double c, s;             /* cos, sin of the contact angle */
 };
 
-static int frame_make(const struct shape_pair *p, const struct gap_minimum *m, struct frame *f)
+static int frame_make(const struct gap_pair *p, const struct gap_minimum *m, struct frame *f)
 {
     struct gap_place here;
 
-    if (m->end || !gap_at(p->rail, p->wheel, p->shift, p->step, m->y, &here))
+    if (m->end || !gap_at(p, m->y, &here))
         return 0;
     double c = 1 / sqrt(1 + m->slope * m->slope);
     *f = (struct frame){p, m, p->rail->first - p->wheel->first - p->shift, here.z, c, c * m->slope};
@@ -52,7 +52,7 @@ static double node_gap(const struct frame *f, int64_t i, double *y)
 {
     const struct gap_curve *r = f->p->rail, *w = f->p->wheel;
     int64_t j = i + f->off;
-    double e = r->along[i], g = r->z[i] - w->z[j] + e * (w->along[j] - 0.5 * w->reach[j] * e) - f->m->gap;
+    double g = gap_node(r, w, i, j) - f->m->gap;
 
     *y = ((double)(r->first + i) * f->p->step - f->m->y) * f->c + (r->z[i] - f->z0) * f->s;
     return g / (f->c + w->slope[j] * f->s);
@@ -64,7 +64,7 @@ static double looks(const struct frame *f, int64_t lo, int64_t hi, int64_t strid
     double sum = 0, y;
 
     for (int64_t i = lo; i <= hi; i += stride) {
-        double d = depth - node_gap(f, i, &y), parabola = depth - B * y * y;
+        double d = depth - fmax(node_gap(f, i, &y), 0), parabola = depth - B * y * y;
         double width = f->c + f->p->rail->slope[i] * f->s;        /* NaN where nothing covers the node */
         d = d > 0 ? d : 0;
         parabola = parabola > 0 ? parabola : 0;
@@ -73,7 +73,7 @@ static double looks(const struct frame *f, int64_t lo, int64_t hi, int64_t strid
     return sum * (double)stride * f->p->step;
 }
 
-double shape_deviation(const struct shape_pair *p, const struct gap_minimum *m, double B, const struct hertz *h, double load)
+double patch_deviation(const struct gap_pair *p, const struct gap_minimum *m, double B, const struct hertz *h, double load)
 {
     double b = h->b1 * cbrt(load), depth = B * b * b;
     struct frame f;
@@ -89,8 +89,8 @@ double shape_deviation(const struct shape_pair *p, const struct gap_minimum *m, 
 }
 
 /* How far the rows must go: from the contact outwards (way -1 or 1) to the first node of a gap above `limit`, or of a new contact; with
- * SHAPE_ALL to the last above it. */
-static double extent_end(const struct frame *f, int way, double limit, enum shape_extent extent)
+ * PATCH_ALL to the last above it. */
+static double extent_end(const struct frame *f, int way, double limit, enum patch_extent extent)
 {
     int64_t lo, hi;
     double at = f->m->y / f->p->step - (double)f->p->rail->first, last = 0, y;
@@ -99,7 +99,7 @@ static double extent_end(const struct frame *f, int way, double limit, enum shap
     int64_t i = way > 0 ? (int64_t)floor(at) + 1 : (int64_t)ceil(at) - 1, end = i;
     for (int inside = 1; i >= lo && i <= hi; i += way) {
         double g = node_gap(f, i, &y);
-        if (extent == SHAPE_OWN && (!(g <= limit) || (fabs(y) > OWN && g < last)))
+        if (extent == PATCH_OWN && (!(g <= limit) || (fabs(y) > OWN && g < last)))
             return (double)(f->p->rail->first + i) * f->p->step;
         if (g <= limit || inside)
             end = i;
@@ -117,18 +117,18 @@ static int64_t rows_between(const struct frame *f, double from, double to, int64
     for (int64_t i = 0; i < n; i++) {
         struct gap_place at;
         double y = from + (to - from) * (double)i / (double)(n - 1);
-        if (!gap_at(f->p->rail, f->p->wheel, f->p->shift, f->p->step, y, &at))
+        if (!gap_at(f->p, y, &at))
             continue;
         double turn = f->c + (at.rail - at.slope) * f->s;
         row[k++] = (struct strip_row){
-            .y = (y - f->m->y) * f->c + (at.z - f->z0) * f->s, .gap = (at.gap - f->m->gap) / turn, .A = 0.5 / (at.reach * turn),
+            .y = (y - f->m->y) * f->c + (at.z - f->z0) * f->s, .gap = (at.gap - f->m->gap) / turn, .A = 0.5 * at.bend / turn,
         };
     }
     return k;
 }
 
-int64_t shape_patch(const struct shape_pair *p, const struct gap_minimum *m, double B, const struct hertz *h, double load,
-                    const struct strip_law *law, enum shape_extent extent, struct strip_row row[SHAPE_ROWS], struct strip_patch *patch)
+int64_t patch_rows(const struct gap_pair *p, const struct gap_minimum *m, double B, const struct hertz *h, double load,
+                    const struct strip_law *law, enum patch_extent extent, struct strip_row row[PATCH_ROWS], struct strip_patch *patch)
 {
     double b = h->b1 * cbrt(load), limit = 2 * B * b * b, from = 0, to = 0;
     struct frame f;
@@ -142,7 +142,7 @@ int64_t shape_patch(const struct shape_pair *p, const struct gap_minimum *m, dou
             break;
         from = first;
         to = last;
-        n = rows_between(&f, from, to, extent == SHAPE_OWN ? OWN_ROWS : SHAPE_ROWS, row);
+        n = rows_between(&f, from, to, extent == PATCH_OWN ? OWN_ROWS : PATCH_ROWS, row);
         if (n < 3)
             return 0;
         strip_prepare(law, row, n);
@@ -152,13 +152,13 @@ int64_t shape_patch(const struct shape_pair *p, const struct gap_minimum *m, dou
     return n;
 }
 
-void shape_hertz(const struct shape_pair *p, const struct gap_minimum *m, double B, double load, const struct strip_law *law,
+void patch_hertz(const struct gap_pair *p, const struct gap_minimum *m, double B, double load, const struct strip_law *law,
                  struct hertz *h)
 {
-    struct strip_row row[SHAPE_ROWS];
+    struct strip_row row[PATCH_ROWS];
     struct strip_patch patch;
 
-    if (!shape_patch(p, m, B, h, load, law, SHAPE_OWN, row, &patch))
+    if (!patch_rows(p, m, B, h, load, law, PATCH_OWN, row, &patch))
         return;
     h->C = load / (patch.approach * sqrt(patch.approach));
     h->a1 = patch.a / cbrt(load);
