@@ -11,6 +11,8 @@
 
 #include <math.h>
 
+#include "tools/contact/clones.h"
+
 #define LEAST_WEIGHT 1e-12    /* what rounding leaves of a corner on the query's own node */
 #define TANGENT_MOST 0.05     /* m of station a contact that ends goes on along its tangent */
 
@@ -20,8 +22,8 @@ struct cell {
     int64_t first[CORNERS];         /* row */
     int count[CORNERS];
     double weight[CORNERS];
-    double off[CORNERS][AXES];      /* m, rad, m from the corner to the query */
     double per_s[CORNERS];          /* 1/m, derivative of the weight by station */
+    double off[AXES][2];            /* m, rad, m from the lower and the upper end of the cell to the query */
 };
 
 struct branch {
@@ -68,72 +70,81 @@ static void cell_corners(const struct ctab *t, double s, double yaw, double u, s
     int64_t iy = even_bracket(t->yaw, t->yaws, yaw, &ty);
     int64_t iu = even_bracket(t->u, t->us, u, &tu);
     int inside = t->stations > 1 && s >= t->station[0] && s < t->station[t->stations - 1];
-    double length = t->stations > 1 ? t->station[is + 1] - t->station[is] : 1;
+    double length = t->stations > 1 ? t->station[is + 1] - t->station[is] : 1, per_length = inside ? 1 / length : 0;
     double dy = t->yaws > 1 ? t->yaw[iy + 1] - t->yaw[iy] : 0, du = t->u[iu + 1] - t->u[iu];
+    double across[4] = {(1 - tu) * (1 - ty), tu * (1 - ty), (1 - tu) * ty, tu * ty};
 
+    for (int end = 0; end < 2; end++) {
+        c->off[CTAB_LINK_U][end] = (tu - end) * du;
+        c->off[CTAB_LINK_YAW][end] = (ty - end) * dy;
+        c->off[CTAB_LINK_STATION][end] = (ts - end) * length;
+    }
     for (int k = 0; k < CORNERS; k++) {
-        int bu = k & 1, by = k >> 1 & 1, bs = k >> 2;
-        double wu = bu ? tu : 1 - tu, wy = by ? ty : 1 - ty, ws = bs ? ts : 1 - ts;
-        c->weight[k] = wu * wy * ws;
-        c->count[k] = 0;
-        if (!(wu * wy > 0) || !(ws > 0 || (inside && bs)))        /* at a station the slope ahead still counts */
-            continue;
-        int64_t node = ((is + bs) * t->yaws + iy + by) * t->us + iu + bu;
-        c->first[k] = t->first[node];
-        c->count[k] = t->first[node + 1] - t->first[node];
-        c->off[k][CTAB_LINK_U] = (tu - bu) * du;
-        c->off[k][CTAB_LINK_YAW] = (ty - by) * dy;
-        c->off[k][CTAB_LINK_STATION] = (ts - bs) * length;
-        c->per_s[k] = inside ? (bs ? wu * wy : -wu * wy) / length : 0;
+        int at = k & 3, ahead = k >> 2;
+        int64_t node = ((is + ahead) * t->yaws + iy + (k >> 1 & 1)) * t->us + iu + (k & 1);
+        double ws = ahead ? ts : 1 - ts;
+        int in = across[at] > 0 && (ws > 0 || (ahead && inside));     /* at a station the slope ahead still counts */
+        c->weight[k] = across[at] * ws;
+        c->per_s[k] = ahead ? across[at] * per_length : -across[at] * per_length;
+        c->first[k] = in ? t->first[node] : 0;
+        c->count[k] = in ? t->first[node + 1] - t->first[node] : 0;
     }
 }
 
-/* Branches of a cell, and the branch of each row of its corners, -1 none yet. */
+/* Branches of a cell, and the branch of each row of its corners. */
 struct joined {
-    struct branch branch[CONTACT_MAX];
+    struct branch branch[CORNERS * CTAB_MOST];
     int n;
-    int of[CORNERS][CTAB_MOST];
+    uint8_t of[CORNERS][CTAB_MOST];
 };
+
+enum { NO_BRANCH = 255 };
 
 static void join_row(struct joined *o, int k, int i, int64_t row, int branch)
 {
-    o->of[k][i] = branch;
+    o->of[k][i] = (uint8_t)branch;
     o->branch[branch].held |= 1u << k;
     o->branch[branch].row[k] = row;
 }
 
 /* Two branches that a row belongs to both become one, the rows of `from` those of `to`. */
-static void join_branches(struct joined *o, int to, int from)
+static void join_branches(struct joined *o, const struct cell *c, int to, int from)
 {
     for (int k = 0; k < CORNERS; k++)
         if (o->branch[from].held >> k & 1)
-            for (int i = 0; i < CTAB_MOST; i++)
-                if (o->of[k][i] == from)
-                    join_row(o, k, i, o->branch[from].row[k], to);
+            join_row(o, k, (int)(o->branch[from].row[k] - c->first[k]), o->branch[from].row[k], to);
     o->branch[from].held = 0;
+}
+
+/* Row i of corner k goes on with a branch that holds the corner before it. */
+static void join_linked(struct joined *o, const struct cell *c, int k, int i, int branch)
+{
+    int own = o->of[k][i];
+
+    if (own == NO_BRANCH && !(o->branch[branch].held >> k & 1))
+        join_row(o, k, i, c->first[k] + i, branch);
+    else if (own != NO_BRANCH && own != branch && !(o->branch[own].held & o->branch[branch].held))
+        join_branches(o, c, own, branch);
 }
 
 /* Rows of corner k: each goes on with the branch whose row at a corner before links to it, or begins one. */
 static void join_corner(const struct ctab *t, const struct cell *c, int k, struct joined *o)
 {
-    for (int i = 0; i < CTAB_MOST; i++)
-        o->of[k][i] = -1;
+    for (int i = 0; i < c->count[k]; i++)
+        o->of[k][i] = NO_BRANCH;
     for (int axis = 0; axis < AXES; axis++) {
         int before = k ^ 1 << axis;
-        if (!(k >> axis & 1))
+        if (before > k)
             continue;
+        const uint8_t *link = t->link + c->first[before] * CTAB_LINKS + axis;
         for (int j = 0; j < c->count[before]; j++) {
-            int i = t->link[(c->first[before] + j) * CTAB_LINKS + axis] - 1, branch = o->of[before][j];
-            if (i < 0 || i >= c->count[k] || branch < 0 || o->of[k][i] == branch)
-                continue;
-            if (o->of[k][i] < 0 && !(o->branch[branch].held >> k & 1))
-                join_row(o, k, i, c->first[k] + i, branch);
-            else if (o->of[k][i] >= 0 && !(o->branch[o->of[k][i]].held & o->branch[branch].held))
-                join_branches(o, o->of[k][i], branch);
+            int i = link[j * CTAB_LINKS] - 1;
+            if (i >= 0 && i < c->count[k])
+                join_linked(o, c, k, i, o->of[before][j]);
         }
     }
     for (int i = 0; i < c->count[k]; i++)
-        if (o->of[k][i] < 0 && o->n < CONTACT_MAX) {
+        if (o->of[k][i] == NO_BRANCH) {
             o->branch[o->n].held = 0;
             join_row(o, k, i, c->first[k] + i, o->n++);
         }
@@ -142,28 +153,36 @@ static void join_corner(const struct ctab *t, const struct cell *c, int k, struc
 /* Height of a corner's row carried to the query, and its derivative by station. */
 static double carried(const struct cell *c, const struct branch *b, int k, const float *row, double *by_station)
 {
-    static const enum ctab_column rate[AXES] = {
-        [CTAB_LINK_U] = CTAB_HEIGHT_U, [CTAB_LINK_YAW] = CTAB_HEIGHT_YAW, [CTAB_LINK_STATION] = CTAB_HEIGHT_S,
-    };
-    double height = row[CTAB_HEIGHT];
+    static const double part[2] = {1, 0.5};
+    double part_s = part[b->held >> (k ^ 4) & 1], ds = c->off[CTAB_LINK_STATION][k >> 2];
 
-    *by_station = 0;
-    for (int axis = 0; axis < AXES; axis++) {
-        int both = b->held >> (k ^ 1 << axis) & 1;
-        double part = both ? 0.5 : 1, off = c->off[k][axis], slope = row[rate[axis]];
-        if (axis == CTAB_LINK_STATION && !both)
-            off = fmax(-TANGENT_MOST, fmin(off, TANGENT_MOST));
-        height += part * slope * off;
-        if (axis == CTAB_LINK_STATION && off == c->off[k][axis])
-            *by_station = part * slope;
+    *by_station = part_s * row[CTAB_HEIGHT_S];
+    if (part_s == 1 && fabs(ds) > TANGENT_MOST) {
+        ds = copysign(TANGENT_MOST, ds);
+        *by_station = 0;
     }
-    return height;
+    return row[CTAB_HEIGHT] + part[b->held >> (k ^ 1) & 1] * row[CTAB_HEIGHT_U] * c->off[CTAB_LINK_U][k & 1] +
+           part[b->held >> (k ^ 2) & 1] * row[CTAB_HEIGHT_YAW] * c->off[CTAB_LINK_YAW][k >> 1 & 1] + part_s * row[CTAB_HEIGHT_S] * ds;
+}
+
+/* sum[CTAB_N] of the rows of the corners held, weighed. */
+CLONES static void blend_rows(const struct ctab *t, const struct branch *b, const double weight[CORNERS], double *restrict sum)
+{
+    for (int i = 0; i < CTAB_N; i++)
+        sum[i] = 0;
+    for (int k = 0; k < CORNERS; k++) {
+        if (!(b->held >> k & 1))
+            continue;
+        const float *restrict row = t->row + b->row[k] * CTAB_N;
+        for (int i = 0; i < CTAB_N; i++)
+            sum[i] += weight[k] * row[i];
+    }
 }
 
 /* Mean of a branch over its corners, at roll 0. */
 static void blend(const struct ctab *t, const struct cell *c, const struct branch *b, struct contact *o)
 {
-    double W = 0, W_s = 0, h = 0, h_s = 0, sum[CTAB_N] = {0}, body = 0;
+    double W = 0, W_s = 0, h = 0, h_s = 0, body = 0, share[CORNERS];
 
     for (int k = 0; k < CORNERS; k++) {
         if (!(b->held >> k & 1))
@@ -174,15 +193,14 @@ static void blend(const struct ctab *t, const struct cell *c, const struct branc
         W_s += c->per_s[k];
         h += w * height;
         h_s += c->per_s[k] * height + w * by_station;
-        for (int i = 0; i < CTAB_N; i++)
-            sum[i] += w * row[i];
         body = row[CTAB_BODY];
     }
     o->weight = W;
     if (!(W > 0))
         return;
-    for (int i = 0; i < CTAB_N; i++)
-        o->row[i] = sum[i] / W;
+    for (int k = 0; k < CORNERS; k++)
+        share[k] = c->weight[k] / W;
+    blend_rows(t, b, share, o->row);
     o->height = h / W;
     o->height_s = (h_s - o->height * W_s) / W;
     o->row[CTAB_BODY] = body;
@@ -220,10 +238,11 @@ int contact_lookup(const struct ctab *t, double s, double yaw, double u, double 
     cell_corners(t, s - t->wheel_position * sin(yaw), yaw, u, &cell);
     joined.n = 0;
     for (int k = 0; k < CORNERS; k++)
-        join_corner(t, &cell, k, &joined);
+        if (cell.count[k])
+            join_corner(t, &cell, k, &joined);
     for (int j = 0; j < joined.n; j++) {
         struct contact one;
-        if (!joined.branch[j].held)
+        if (!joined.branch[j].held || n == CONTACT_MAX)
             continue;
         blend(t, &cell, &joined.branch[j], &one);
         if (!(one.weight > LEAST_WEIGHT))

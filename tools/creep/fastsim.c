@@ -14,7 +14,7 @@
 #include <assert.h>
 #include <math.h>
 
-#include "tools/creep/clones.h"
+#include "tools/contact/clones.h"
 #include "tools/creep/flexibility.h"
 #include "tools/creep/kalker.h"
 

@@ -1,7 +1,7 @@
 /* Everything per step runs over arrays of `stride` numbers: elements along a rail, pads, ballast, accelerations. */
 #include "tools/integrate/lumped.h"
 #include "formats/reason.h"
-#include "tools/creep/clones.h"
+#include "tools/contact/clones.h"
 #include "tools/track/beam.h"
 
 #include <math.h>

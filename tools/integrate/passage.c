@@ -1,7 +1,7 @@
 #include "tools/integrate/passage.h"
 #include "formats/reason.h"
 #include "tools/contact/lookup.h"
-#include "tools/creep/clones.h"
+#include "tools/contact/clones.h"
 #include "tools/creep/kalker.h"
 #include "tools/integrate/check_rail.h"
 

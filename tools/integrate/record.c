@@ -1,6 +1,6 @@
 #include "tools/integrate/record.h"
 #include "formats/reason.h"
-#include "tools/creep/clones.h"
+#include "tools/contact/clones.h"
 
 #include <math.h>
 #include <stdlib.h>
