@@ -41,6 +41,8 @@ static const struct yaml_schema blade_schema = {"switch_rail", sizeof ((struct t
 static const struct yaml_schema wing_schema = {"wing_rail", sizeof ((struct turnout_text *)0)->wing, (const struct yaml_field[]){
     {"flangeway", YAML_NUM, offsetof(struct turnout_text, wing.flangeway) - offsetof(struct turnout_text, wing), YAML_POSITIVE,
      0.1, "m", NULL, "between wing rail and nose", NULL, NULL},
+    {"knee", YAML_NUM, offsetof(struct turnout_text, wing.knee) - offsetof(struct turnout_text, wing), 0, 0.02, "m", "0",
+     "its edge bends away from the running edge between so much before and behind the line it follows; 0 is a corner", NULL, NULL},
     {"end", YAML_NUM, offsetof(struct turnout_text, wing.end) - offsetof(struct turnout_text, wing), YAML_POSITIVE, YAML_NO_LIMIT,
      "m", YAML_ABSENT, "behind the mathematical point, where the wing rail ends; absent, where it is out of reach", NULL, NULL},
     {"flare", YAML_NUM, offsetof(struct turnout_text, wing.flare) - offsetof(struct turnout_text, wing), YAML_POSITIVE, YAML_NO_LIMIT,

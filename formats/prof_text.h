@@ -40,6 +40,7 @@ struct turnout_text {
     } blade;
     struct {
         double flangeway;          /* m, between wing rail and nose: fixes the throat */
+        double knee;               /* m, distance to either side of the running edge over which its edge bends away; 0 is a corner */
         double end;                /* m behind the mathematical point, where it ends; 0 where it goes on beyond `reach` */
         double flare;              /* m, length at its end over which the flangeway opens */
         double opening;            /* m, flangeway at its end; 0 where it does not open */

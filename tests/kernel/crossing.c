@@ -1,5 +1,6 @@
-/* The crossing of the nominal turnout 60E1-R760-1:15: the machined top of its wing rail, and the path of a rigid S1002 from the wing
- * rail onto the nose by the project's own contact search.
+/* The crossings of the nominal turnouts 60E1-R760-1:15 and R300-1:9: the machined top of their wing rail, and the path of a rigid S1002
+ * from the wing rail onto the nose by the project's own contact search.  Lengths along the track and angles go with the angle at which the
+ * running edges cross, 1:16.3 and 1:10.2.
  *
  * Right side: u > 0 moves the wheel to the field side, its flange towards the rail. */
 #include "tests/kernel/tap.h"
@@ -9,9 +10,8 @@
 #include "tools/profile/turnout.h"
 #include "tools/profile/zones.h"
 
-#define FROM 45.6            /* m, of the stations searched */
-#define TO 48.0
-#define STEP 0.02
+#define STEP 0.02            /* m, of the stations searched at 1:16.26 */
+#define AHEAD 54             /* of the stations, before the mathematical point */
 #define SLOPE_OVER 2         /* steps before and behind the transfer over which slopes are taken */
 
 enum { STATIONS = 121 };
@@ -19,6 +19,14 @@ enum { STATIONS = 121 };
 static struct prof_text text;          /* of the turnout */
 static struct section rail, wheel;
 static struct plan plan;
+static double point, sharper;          /* m, station of the mathematical point; angle there over that of 1:16.26 */
+
+static void plan_make(void)
+{
+    plan = turnout_plan(&text.turnout, text.gauge);
+    point = plan_separation_station(&plan, 0);
+    sharper = 16.26 * (plan_separation(&plan, point + 1e-3) - plan_separation(&plan, point - 1e-3)) / 2e-3;
+}
 
 static void shape_make(const char *path, struct section *s)
 {
@@ -85,9 +93,9 @@ static double growth(double step)
     struct outline before = {0};
     double most = 0;
 
-    for (double s = 45.9; s < 47.5; s += step) {
+    for (double s = point - 0.8 / sharper; s < point + 0.8 / sharper; s += step / sharper) {
         struct outline o;
-        double distance = fmax(plan_separation(&plan, s) + text.turnout.wing.flangeway, 0);
+        double distance = fmax(turnout_wing(&text.turnout, &plan, s), 0);
         if (turnout_body(&text.turnout, &plan, &rail, text.smoothing, text.spacing, TURNOUT_SWITCH, s, &o))
             ok(0, "wing rail at %g m", s);
         outline_shift(&o, -distance, 0);
@@ -118,7 +126,7 @@ static void path_search(const struct search *s, const double *station, int64_t i
 {
     struct search_contact c[SEARCH_MOST];
     int n = search_contacts(s, 0, lrint(u / s->gap.step), c);
-    double distance = fmax(plan_separation(&plan, station[is]) + text.turnout.wing.flangeway, 0);
+    double distance = fmax(turnout_wing(&text.turnout, &plan, station[is]), 0);
 
     p->wing[is] = p->nose[is] = INFINITY;
     for (int i = 0; i < n; i++) {
@@ -139,11 +147,11 @@ static void check_path(const char *route, double u, const double *station, const
     while (t < STATIONS - 1 && p->wing[t] <= p->nose[t])
         t++;
     for (int64_t i = 0; i < STATIONS; i++) {
-        double z = fmin(p->wing[i], p->nose[i]), distance = plan_separation(&plan, station[i]) + text.turnout.wing.flangeway;
+        double z = fmin(p->wing[i], p->nose[i]), distance = turnout_wing(&text.turnout, &plan, station[i]);
         low = fmax(low, z - p->wing[0]);
         high = fmin(high, z - p->wing[0]);
         if (i)
-            steepest = fmax(steepest, fabs(z - fmin(p->wing[i - 1], p->nose[i - 1])) / STEP);
+            steepest = fmax(steepest, fabs(z - fmin(p->wing[i - 1], p->nose[i - 1])) / (station[i] - station[i - 1]));
         if (distance > 0.026 && i < t) {
             nearest = fmin(nearest, p->at[i]);
             farthest = fmax(farthest, p->at[i]);
@@ -151,22 +159,23 @@ static void check_path(const char *route, double u, const double *station, const
     }
     double width = 1e3 * plan_separation(&plan, station[t]), falls = NAN, rises = NAN;
     if (t > SLOPE_OVER && t < STATIONS - SLOPE_OVER) {
-        falls = 1e3 * (p->wing[t - 1] - p->wing[t - 1 - SLOPE_OVER]) / (SLOPE_OVER * STEP);
-        rises = -1e3 * (p->nose[t + SLOPE_OVER] - p->nose[t]) / (SLOPE_OVER * STEP);
+        falls = 1e3 * (p->wing[t - 1] - p->wing[t - 1 - SLOPE_OVER]) / (station[t - 1] - station[t - 1 - SLOPE_OVER]);
+        rises = -1e3 * (p->nose[t + SLOPE_OVER] - p->nose[t]) / (station[t + SLOPE_OVER] - station[t]);
     }
     ok(width > 19 && width < 29, "%s, u = %g mm: onto the nose at %.2f m, %.0f mm wide", route, 1e3 * u, station[t], width);
-    ok(falls > 3 && rises > 1.5 && falls + rises > 5 && falls + rises < 11, "it falls %.1f mrad, rises %.1f mrad: a kink of %.1f mrad",
-       falls, rises, falls + rises);
+    ok(falls > 3 * sharper && rises > 1.5 * sharper && falls + rises > 5 * sharper && falls + rises < 10.7 * sharper,
+       "it falls %.1f mrad, rises %.1f mrad: a kink of %.1f mrad", falls, rises, falls + rises);
     ok(nearest > 0.005 && farthest < 0.0125, "the wing rail carries it %.1f to %.1f mm from its edge", 1e3 * nearest, 1e3 * farthest);
     ok(high > -0.0015 && low < 0.0015, "it rides %.2f mm high to %.2f mm low beside the plain rail", -1e3 * high, 1e3 * low);
-    ok(steepest < 8e-3, "nowhere steeper than %.1f mrad: it does not drop", 1e3 * steepest);
+    ok(steepest < 8e-3 * sharper, "nowhere steeper than %.1f mrad: it does not drop", 1e3 * steepest);
 }
 
 static void test_path(const char *route)
 {
     static const char *const wheels[] = {"wheel"};
     static const double us[] = {0.004, 0.0025, 0, -0.0025}, yaw = 0;
-    struct turnout_stations range = {FROM, TO, STEP};
+    double from = point - AHEAD * STEP / sharper;
+    struct turnout_stations range = {from, from + (STATIONS - 1) * STEP / sharper, STEP / sharper};
     struct turnout_text t = text.turnout;
     struct set rails, one = {.bodies = 1, .body = wheels};
     struct prof rp = {.part = 'r', .side = 'r', .position = gauge_rail_position(rail.gauge_face, text.gauge)};
@@ -199,20 +208,26 @@ static void test_path(const char *route)
     set_free(&one);
 }
 
-int main(void)
+static void test_turnout(const char *path)
 {
-    shape_make("data/profiles/60E1.yaml", &rail);
-    shape_make("data/profiles/S1002.yaml", &wheel);
-    ok(!prof_text_read(&text, "data/turnouts/60E1-R760-1-15.yaml", NULL, 0, NULL), "the turnout's input");
-    plan = turnout_plan(&text.turnout, text.gauge);
+    ok(!prof_text_read(&text, path, NULL, 0, NULL), "%s", path);
+    plan_make();
     test_head();
     test_growth();
     test_path("diverging");
     text.turnout.route = TURNOUT_THROUGH;
-    plan = turnout_plan(&text.turnout, text.gauge);
+    plan_make();
     test_path("through");
+    prof_text_free(&text);
+}
+
+int main(void)
+{
+    shape_make("data/profiles/60E1.yaml", &rail);
+    shape_make("data/profiles/S1002.yaml", &wheel);
+    test_turnout("data/turnouts/60E1-R760-1-15.yaml");
+    test_turnout("data/turnouts/60E1-R300-1-9.yaml");
     section_free(&rail);
     section_free(&wheel);
-    prof_text_free(&text);
     return done();
 }

@@ -149,27 +149,109 @@ static void test_nose(void)
     near(before, 0, 1e-7, "nose: the plain rail in the end");
 }
 
-/* The same sections gathered for either side are mirror images, bit for bit; the far side has one plain rail. */
+static int mirrored(const struct prof *l, const struct prof *r)
+{
+    int same = l->polys == r->polys && l->points == r->points && l->sections == r->sections && l->position == -r->position;
+
+    for (int64_t i = 0; same && i < l->polys; i++)
+        for (int64_t a = l->poly_first[i], b = l->poly_first[i + 1] - 1; b >= l->poly_first[i]; a++, b--)
+            same &= l->y[a] == -r->y[b] && l->z[a] == r->z[b] && l->slope[a] == -r->slope[b] && l->curvature[a] == r->curvature[b] &&
+                    l->fall[a] == r->fall[b];
+    return same;
+}
+
+static void side_make(int hand, char side, struct prof *p)
+{
+    struct set set;
+    struct turnout_text t = text.turnout;
+
+    t.hand = hand;
+    t.check.body = 1;
+    *p = (struct prof){.position = 0.75};
+    const char *why = turnout_sections(&t, text.gauge, text.smoothing, text.spacing, side, &rail, &set);
+    ok(!why && !set_prof(&set, side, p), "%s-hand, side %c: %d sections%s%s", hand == TURNOUT_RIGHT ? "right" : "left", side, (int)set.sections,
+       why ? ", " : "", why ? why : "");
+    set_free(&set);
+}
+
+/* A left-hand turnout is the mirror image of a right-hand one, bit for bit, side by side. */
 static void test_mirror(void)
 {
-    struct set set, far;
-    struct prof l = {.position = 0.75}, r = {.position = 0.75};
-    int same = 1;
+    struct prof right[2], left[2];
 
     ok(turnout_switch_side(&text.turnout) == 'l', "a right-hand turnout has switch rail and nose on the left when diverging");
-    turnout_sections(&text.turnout, text.gauge, text.smoothing, text.spacing, 'l', &rail, &set);
-    ok(!set_prof(&set, 'l', &l) && !set_prof(&set, 'r', &r) && l.position == -0.75, "%d sections", (int)set.sections);
-    for (int64_t i = 0; i < l.polys; i++)
-        for (int64_t a = l.poly_first[i], b = l.poly_first[i + 1] - 1; b >= l.poly_first[i]; a++, b--)
-            same &= l.y[a] == -r.y[b] && l.z[a] == r.z[b] && l.slope[a] == -r.slope[b] && l.curvature[a] == r.curvature[b];
-    ok(same, "left is the mirror image of right: y and slope change sign, z and curvature stay");
-    ok(set.sections >= 30 && set.station[0] == 0 && set.station[set.sections - 1] == 54.2, "from 0 to 54.2 m");
-    prof_free(&l);
-    prof_free(&r);
-    set_free(&set);
+    for (int k = 0; k < 2; k++) {
+        side_make(TURNOUT_RIGHT, k ? 'r' : 'l', &right[k]);
+        side_make(TURNOUT_LEFT, k ? 'l' : 'r', &left[k]);
+    }
+    ok(mirrored(&right[0], &left[0]), "the sides of switch and crossing: y and slope change sign, z, curvature and fall stay");
+    ok(mirrored(&left[1], &right[1]), "the sides of the check rail");
+    ok(right[0].sections >= 30 && right[0].station[0] == 0 && right[0].station[right[0].sections - 1] == 54.2, "from 0 to 54.2 m");
+    for (int k = 0; k < 2; k++) {
+        prof_free(&right[k]);
+        prof_free(&left[k]);
+    }
+}
+
+/* The other side: one plain rail, and where it is a body the check rail in sections of its own. */
+static void test_check_rail(void)
+{
+    const struct yaml_nums *f = &text.turnout.check.flangeway;
+    double point = plan_separation_station(&plan, 0), worst = 0, gap = 0, fall = 0;
+    struct set far;
+    struct prof r;
+
     turnout_sections(&text.turnout, text.gauge, text.smoothing, text.spacing, 'r', &rail, &far);
-    ok(far.sections == 1 && far.polys == 1, "the right side has one section of one rail");
+    ok(far.sections == 1 && far.polys == 1, "unless the check rail is a body the right side has one section of one rail");
     set_free(&far);
+    side_make(TURNOUT_RIGHT, 'r', &r);
+    ok(r.bodies == 2 && r.sections > f->n / 2 + 2, "the check rail stands in %d of %d sections", (int)(r.polys - r.sections), (int)r.sections);
+    for (int64_t i = 0; i < r.polys; i++) {
+        double s = r.station[r.poly_section[i]];
+        int64_t j = r.poly_first[i], last = r.poly_first[i + 1] - 1;
+        if (r.poly_body[i] != 1)
+            continue;
+        while (j < last && r.z[j] < 0.014)
+            j++;
+        double y = r.y[j - 1] + (r.y[j] - r.y[j - 1]) * (0.014 - r.z[j - 1]) / (r.z[j] - r.z[j - 1]), x = s - point;
+        double straight = fabs(x) < 1 ? rail.gauge_face - y - 0.040 : 0;
+        worst = fmax(worst, fabs(straight));
+        gap = fmax(gap, rail.gauge_face - y);
+        fall = fmax(fall, fabs(x) < 1 ? fabs(r.fall[last]) : 0);
+        if (i == r.polys - 2 || s == point + f->x[0])
+            near(rail.gauge_face - y, 0.065, 1e-9, "its flare opens to 65 mm");
+        ok(r.z[r.poly_first[i]] == -0.020 && r.slope[last] <= 60 && r.slope[last] > 19, "at %.2f m 20 mm above the rail, its face steep", s);
+    }
+    near(worst, 0, 1e-9, "beside the nose its flangeway is 40 mm: 1395 mm to the nose's running edge");
+    near(fall, 0, 0, "there it does not fall");
+    prof_free(&r);
+}
+
+/* Nose and flangeway are the same steel on both routes: as wide at the same distance from the mathematical point, one mirrored in the other. */
+static void test_steel(void)
+{
+    struct plan through = plan;
+    double worst = 0, wing = 0, shape = 0, middle;
+    struct outline nose;
+
+    through.diverging = 0;
+    double point = plan_separation_station(&plan, 0), other = plan_separation_station(&through, 0);
+    for (double x = -0.7; x < 1.5; x += 0.1) {
+        worst = fmax(worst, fabs(plan_separation(&plan, point + x) - plan_separation(&through, other + x)));
+        wing = fmax(wing, fabs(turnout_wing(&text.turnout, &plan, point + x) - turnout_wing(&text.turnout, &through, other + x)));
+    }
+    ok(worst < 2e-4 && wing < 2e-4, "through and diverging: nose within %.3f mm, wing within %.3f mm of one another", 1e3 * worst, 1e3 * wing);
+    body_at(TURNOUT_NOSE, plan_separation_station(&plan, 0.030), &nose);
+    middle = rail.gauge_face + 0.015;
+    for (int64_t i = 0; i < nose.n; i++)
+        if (fabs(nose.slope[i]) < 3)
+            for (int64_t j = 1; j < nose.n; j++)
+                if (nose.y[j - 1] <= 2 * middle - nose.y[i] && nose.y[j] > 2 * middle - nose.y[i]) {
+                    double t = (2 * middle - nose.y[i] - nose.y[j - 1]) / (nose.y[j] - nose.y[j - 1]);
+                    shape = fmax(shape, fabs(nose.z[j - 1] + t * (nose.z[j] - nose.z[j - 1]) - nose.z[i]));
+                }
+    ok(shape < 5e-6, "the nose 30 mm wide is its own mirror image to %.1f um", 1e6 * shape);
+    outline_free(&nose);
 }
 
 static double height_at(const struct outline *o, double y)
@@ -234,6 +316,8 @@ int main(void)
     test_blade();
     test_nose();
     test_mirror();
+    test_check_rail();
+    test_steel();
     test_path("diverging");
     plan.diverging = 0;
     test_path("through");

@@ -41,13 +41,14 @@ static double table_at(const struct yaml_nums *pairs, double x)
 
 double turnout_wing(const struct turnout_text *t, const struct plan *plan, double s)
 {
-    double opening = 0;
+    double opening = 0, knee = t->wing.knee, straight;
 
     if (t->wing.flare > 0) {
         double left = plan_separation_station(plan, 0) + t->wing.end - s;
         opening = (t->wing.opening - t->wing.flangeway) * fmin(fmax(1 - left / t->wing.flare, 0), 1);
     }
-    return plan_separation(plan, s) + t->wing.flangeway + opening;
+    straight = plan_separation(plan, s) + t->wing.flangeway + opening;
+    return fabs(straight) < knee ? (straight + knee) * (straight + knee) / (4 * knee) : straight;
 }
 
 /* How the head of a body is made at a station. */
