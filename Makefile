@@ -128,4 +128,5 @@ help:                       ## this list
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)/\1	\2/p' $(filter Makefile %.mk,$(MAKEFILE_LIST)) | expand -t 12
 
 include pipelines/demo.mk
+include pipelines/yaw.mk
 include tests/bench/bench.mk

@@ -14,8 +14,12 @@ out/%-r.prof: $(BIN)/vxprofile
 	$(BIN)/vxprofile --side r $(SET) -o $@ $(firstword $(call of,.yaml))
 
 # First the wheel, then the rail.
+YAW = exact
 out/%.ctab: $(BIN)/vxcontact
-	$(BIN)/vxcontact --wheel $(word 1,$(call of,.prof)) --rail $(word 2,$(call of,.prof)) --yaw exact -o $@
+	$(BIN)/vxcontact --wheel $(word 1,$(call of,.prof)) --rail $(word 2,$(call of,.prof)) --yaw $(YAW) -o $@
+
+out/%.txt: $(BIN)/vxcontact
+	$(BIN)/vxcontact --sweep $(SWEEP) $(call of,.ctab) >$@
 
 out/%.trk: $(BIN)/vxtrack
 	@mkdir -p $(@D)

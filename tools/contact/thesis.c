@@ -4,6 +4,7 @@
  *
  *     delta = r m tan(psi)^2/2
  *
+ * The thesis does not say how long its section is; here delta says it, so that the flange's place agrees with the silhouette by construction.
  * A section of the profile between points A (tread side) and B (flange side) taken out and the flange's part closed up to A advances a
  * face of slope m by (y_A - y_B) - (z_B - z_A)/m.  A is where the profile stands at 45 degrees; B follows from the advance being delta. */
 #include "tools/contact/thesis.h"
@@ -14,7 +15,7 @@
 #include "formats/reason.h"
 
 #define ROOT 1.0              /* slope between tread and flange, where the section begins */
-#define BASE 1.8              /* m, between the wheelsets of a Y25 bogie, the shortest in main-line use */
+#define BASE 1.8              /* m, between the wheelsets of a Y25 bogie, the shortest of data/vehicles: a choice */
 
 /* Between the flange's tip and the running circle: the steepest point. */
 static int64_t steepest(const struct locus_wheel *w)
