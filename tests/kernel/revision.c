@@ -1,15 +1,13 @@
 /* The revision of the contact kernels: a cache gives old tables back as long as it stands.
  *
- * Who moves the numbers of a table raises TABLE_REVISION in tools/contact/table.h, and puts what this test prints in place of what is
- * recorded here.  S1002 on a 60E1 1:40 that falls by 1:200, some means of magnitudes. */
+ * Who moves the numbers of a table raises TABLE_REVISION in tools/contact/table.h, and then puts what this test prints in place of
+ * what is recorded here.  S1002 on a 60E1 1:40 that falls by 1:200, some means of magnitudes. */
 #include <math.h>
 #include <stdlib.h>
 
 #include "tests/kernel/shapes.h"
 #include "tests/kernel/tap.h"
 #include "tools/contact/table.h"
-
-#define RECORDED 3         /* revision of these numbers */
 
 enum { MEANS = 6, METHODS = 3 };
 
@@ -62,8 +60,7 @@ int main(void)
             printf("%.9g%s", r.mean[k], k < MEANS - 1 ? ", " : "}},\n");
         same &= as;
     }
-    ok(same || TABLE_REVISION != RECORDED, "the numbers are those of revision %d; else it must be raised", RECORDED);
-    ok(TABLE_REVISION == RECORDED, "revision %d is recorded here; else the lines above must be, and its number", TABLE_REVISION);
+    ok(same, "the numbers are those recorded here; else raise TABLE_REVISION where the change did not, and record the lines above");
     free(wheel);
     free(rail);
     return done();
