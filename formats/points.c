@@ -68,14 +68,14 @@ static const char *line_read(const char *line, double row[3], int *columns)
     }
 }
 
-/* "y (mm),z (mm)", also with brackets: the unit of both; 0 where the line is no heading. */
+/* "y (mm),z (mm)", also with brackets or behind a comment sign: the unit of both; 0 where the line is no heading. */
 static const char *heading_read(const char *line, double *unit)
 {
     char word[2][4] = {"", ""};
     int end = 0;
 
     *unit = 0;
-    line += strspn(line, " \t");
+    line += strspn(line, "# \t");
     if (*line != 'y' || sscanf(line, "y%*[ ([]%3[m]%*[])] %*[,] z%*[ ([]%3[m]%*[])] %n", word[0], word[1], &end) < 2 || line[end])
         return NULL;
     *unit = strcmp(word[0], "m") == 0 ? 1 : strcmp(word[0], "mm") == 0 ? 1e-3 : 0;
