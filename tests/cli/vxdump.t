@@ -53,6 +53,63 @@ like "$(cat "$dir/err")" 'there is no array pad.q' "says so"
 fails 1 "a file that is not there" vxdump "$dir/none"
 fails 1 "a folder that is not there" vxdump -o "$dir/none/out.csv" "$dir/t.trk" x
 fails 1 "a text" vxdump $input
+# Profiles for other programs: written, read again, the same curve.  Nodes are those of a new resampling, so the distance of the one's
+# nodes from the other's polyline is taken along its normal.
+apart()
+{
+    vxdump "$1" y z >"$dir/a" && vxdump "$2" y z >"$dir/b"
+    awk -F, '
+        FNR == 1 {next}
+        NR == FNR {y[++n] = $1; z[n] = $2; next}
+        {
+            while (j < n - 1 && y[j + 1] < $1) j++
+            j = j < 1 ? 1 : j
+            if ($1 < y[1] || $1 > y[n]) next
+            slope = (z[j + 1] - z[j]) / (y[j + 1] - y[j])
+            d = ($2 - z[j] - slope * ($1 - y[j])) / sqrt(1 + slope * slope)
+            d = d < 0 ? -d : d
+            worst = d > worst ? d : worst; m++
+        }
+        END {printf "%.2f\n", (m > 1000) ? 1e9 * worst : 1e9}' "$dir/a" "$dir/b"
+}
+for shape in S1002:wheel:prw 60E1:rail:prr; do
+    name=${shape%%:*} ending=${shape##*:} part=${shape#*:} part=${part%:*}
+    for side in l r; do
+        vxprofile --side $side -o "$dir/was.prof" data/profiles/$name.yaml
+        vxdump --simpack -o "$dir/x.$ending" "$dir/was.prof" && vxdump --yz "$dir/was.prof" >"$dir/x.txt"
+        ok $? "$name, side $side, as Simpack and as y z"
+        vxprofile --side $side --set smoothing=0 -o "$dir/now.prof" "$dir/x.$ending"
+        between "$(apart "$dir/was.prof" "$dir/now.prof")" 0 5 "$name, side $side, by way of Simpack: apart, nm"
+        vxprofile --side $side --part $part --set smoothing=0 -o "$dir/now.prof" "$dir/x.txt"
+        between "$(apart "$dir/was.prof" "$dir/now.prof")" 0 5 "$name, side $side, by way of y z: apart, nm"
+    done
+done
+# Simpack's own way with wheels: y in the file towards the track's centre, keys that mirror it, flange first.
+is "$(awk '$1 ~ /^(type|mirror.y|inversion)$/ && !seen[$1]++ {printf "%s=%s ", $1, $3}' "$dir/x.prr")" "type=0 mirror.y=0 inversion=0 " "keys of a rail"
+vxprofile data/profiles/S1002.yaml | vxdump --simpack - >"$dir/x.prw"
+is "$(awk '$1 ~ /^(type|mirror.y|inversion)$/ && !seen[$1]++ {printf "%s=%s ", $1, $3}' "$dir/x.prw")" "type=1 mirror.y=1 inversion=1 " "keys of a wheel"
+is "$(awk '/point.begin/ {getline; print ($1 > 69)}' "$dir/x.prw")" 1 "its points begin at the flange"
+
+vxprofile --side l -o "$dir/turnout.prof" data/turnouts/60E1-R760-1-15.yaml
+fails 1 "which section" vxdump --yz "$dir/turnout.prof"
+like "$(cat "$dir/err")" 'sections: say at which station' "says so"
+fails 1 "which body" vxdump --yz --at 47.5 "$dir/turnout.prof"
+like "$(cat "$dir/err")" 'bodies: say which' "says so"
+fails 1 "a body that is not there" vxdump --simpack --at 0 --body nose "$dir/turnout.prof"
+like "$(vxdump --yz --at 47.51 --body nose "$dir/turnout.prof" | head -n 1)" 'nose, station 47.5 m' "the section nearest to a station"
+vxdump --slices --body nose -o "$dir/nose.slcs" "$dir/turnout.prof"
+ok $? "slices of the nose"
+slices=$(awk '/NSLC/ {print $1}' "$dir/nose.slcs")
+is "$(ls "$dir/nose" | wc -l | tr -d ' ')" "$slices" "as many files as slices"
+is "$(grep -c "'nose/slice_" "$dir/nose.slcs")" "$slices" "each named beside the .slcs"
+[ -z "$(sed -n "s/.*'\(.*\)'.*/\1/p" "$dir/nose.slcs" | while read -r f; do [ -s "$dir/$f" ] || echo "$f"; done)" ]
+ok $? "and there"
+fails 1 "slices of a wheel" vxdump --slices -o "$dir/w.slcs" "$dir/was.prof"
+fails 1 "slices into another ending" vxdump --slices --body nose -o "$dir/w.txt" "$dir/turnout.prof"
+fails 1 "a track as Simpack" vxdump --simpack "$dir/t.trk"
+fails 2 "slices without a file" vxdump --slices --body nose "$dir/turnout.prof"
+fails 2 "--at for a table" vxdump --csv --at 3 "$dir/t.trk"
+fails 2 "arrays of points" vxdump --yz "$dir/was.prof" y
 fails 2 "two formats" vxdump --csv --mat "$dir/t.trk"
 fails 2 "no input" vxdump --csv
 done_testing
