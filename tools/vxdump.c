@@ -42,7 +42,7 @@ static const struct cli_option options[] = {
 
 static const struct cli_program program = {
     .name = "vxdump",
-    .purpose = "Export arrays of a Veksel file to CSV, MAT or HDF5.",
+    .purpose = "Export arrays of a Veksel file to CSV, MAT or HDF5, a profile to other programs.",
     .usage = usage,
     .option = options,
 };
