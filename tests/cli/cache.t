@@ -76,6 +76,8 @@ for option in $options; do
     --yaws) set -- --yaws 6 ;;
     --shear-modulus) set -- --shear-modulus 80e9 ;;
     --poisson) set -- --poisson 0.3 ;;
+    --normal) set -- --normal strip ;;
+    --load) set -- --load 90e3 ;;
     *) ok 1 "$option is in the key: this test does not know it"; continue ;;
     esac
     tried=$((tried + 1))
