@@ -7,6 +7,7 @@
 #include "tools/profile/link.h"
 
 #define MOTION_STEP 1e-3     /* m, along the curve */
+#define OVERSHOOT 1e-5       /* m, of a line beyond its sections */
 
 const char *loft_add(struct loft *l, double station, const struct curve *c, const struct piece *p)
 {
@@ -42,37 +43,87 @@ static void curve_point(const struct curve *c, double at, double p[2])
     p[1] = f[0];
 }
 
-/* Slope (y, z)/x of the chord of section i's line through `at`, to section i + way; 0 where the line ends. */
-static int chord_slope(const struct loft *l, int64_t i, int way, double at, double *length, double slope[2])
+/* One chord of a line: from section i through `at` to section i + way, where it is at `to`. */
+struct chord { double to, length, slope[2]; };
+
+/* 0 where the line ends. */
+static int chord_find(const struct loft *l, int64_t i, int way, double at, struct chord *c)
 {
     double p[2], q[2];
 
     if (i + way < 0 || i + way >= l->n)
         return 0;
     const struct loft_link *k = &l->link[way < 0 ? i - 1 : i];
-    double to = way < 0 ? link_map(k->n, k->b, k->a, at) : link_map(k->n, k->a, k->b, at);
-    if (isnan(to))
+    c->to = way < 0 ? link_map(k->n, k->b, k->a, at) : link_map(k->n, k->a, k->b, at);
+    if (isnan(c->to))
         return 0;
     curve_point(l->section[i].curve, at, p);
-    curve_point(l->section[i + way].curve, to, q);
-    *length = l->section[i + way].station - l->section[i].station;
+    curve_point(l->section[i + way].curve, c->to, q);
+    double x = l->section[i + way].station - l->section[i].station;
+    c->length = fabs(x);
     for (int d = 0; d < 2; d++)
-        slope[d] = (q[d] - p[d]) / *length;
-    *length = fabs(*length);
+        c->slope[d] = (q[d] - p[d]) / x;
     return 1;
 }
 
-/* Slope of the line through `at` of section i. */
+/* m, not turned against the chord nor steeper than three times it, but for what takes the cubic OVERSHOOT beyond its ends: opposite
+ * slopes m and -m where the chord is level do so by m length/4. */
+static double slope_limit(double m, double chord, double length)
+{
+    double free = 4 * OVERSHOOT / length, most = m * chord > 0 ? fmax(3 * fabs(chord), free) : free;
+
+    return copysign(fmin(fabs(m), most), m);
+}
+
+/* Unit vector along section i at `at`. */
+static void tangent_find(const struct loft *l, int64_t i, double at, double e[2])
+{
+    double y[3], z[3];
+
+    spline_at(&l->section[i].curve->y, at, y);
+    spline_at(&l->section[i].curve->z, at, z);
+    double length = hypot(y[1], z[1]);
+    e[0] = y[1] / length;
+    e[1] = z[1] / length;
+}
+
+/* v := its components along the section and normal to it, the way e (1), or back (-1). */
+static void vector_turn(double v[2], const double e[2], int way)
+{
+    double first = v[0] * e[0] + way * v[1] * e[1];
+
+    v[1] = v[1] * e[0] - way * v[0] * e[1];
+    v[0] = first;
+}
+
+/* Slope of the line through `at` of section i: that of the parabola through three sections, limited along the section and normal to it,
+ * so that lines may turn on a smooth surface without a crease. */
 static void line_slope(const struct loft *l, int64_t i, double at, double slope[2])
 {
-    double before[2], after[2], h1, h2;
-    int b = chord_slope(l, i, -1, at, &h1, before), a = chord_slope(l, i, 1, at, &h2, after);
+    struct chord b, a, next;
+    double e[2];
+    int before = chord_find(l, i, -1, at, &b), after = chord_find(l, i, 1, at, &a), way = after ? 1 : -1;
 
-    for (int d = 0; d < 2; d++)
-        if (a && b)
-            slope[d] = before[d] * after[d] <= 0 ? 0 : 3 * (h1 + h2) / ((2 * h2 + h1) / before[d] + (h2 + 2 * h1) / after[d]);
-        else
-            slope[d] = a ? after[d] : b ? before[d] : 0;
+    tangent_find(l, i, at, e);
+
+    slope[0] = slope[1] = 0;
+    if (before)
+        vector_turn(b.slope, e, 1);
+    if (after)
+        vector_turn(a.slope, e, 1);
+    const struct chord *only = after ? &a : &b;
+    int more = before != after && chord_find(l, i + way, way, only->to, &next);
+    if (more)
+        vector_turn(next.slope, e, 1);
+    for (int d = 0; d < 2 && (before || after); d++)
+        if (before && after) {
+            double m = (a.length * b.slope[d] + b.length * a.slope[d]) / (a.length + b.length);
+            slope[d] = slope_limit(slope_limit(m, a.slope[d], a.length), b.slope[d], b.length);
+        } else {
+            double turn = more ? (only->slope[d] - next.slope[d]) * only->length / (only->length + next.length) : 0;
+            slope[d] = slope_limit(only->slope[d] + turn, only->slope[d], only->length);
+        }
+    vector_turn(slope, e, -1);
 }
 
 /* Point of the line from `a` of section i to `b` of section i + 1 at station s, and its slope. */

@@ -1,9 +1,10 @@
 /* The surface of one rail body between measured sections.
  *
  * Consecutive sections are joined by lines along the track: a link pairs lengths along one curve with lengths along the next at features
- * they share, and proportionally between these.  Along a line y and z are cubics of the station, with the slopes of Fritsch and
- * Butland (SIAM J. Sci. Stat. Comput. 5 (1984) 300) from the lines before and behind, one-sided where the body begins or ends: monotone,
- * so nothing overshoots, and the surface has no crease at a section.
+ * they share, and proportionally between these.  Along a line y and z are cubics of the station.  Its slopes at a section are those of the
+ * parabola through it and its neighbours, along the section and normal to it, limited so that the cubic is monotone where the sections are
+ * (de Boor and Swartz, J. Approx. Theory 21 (1977) 411): nothing overshoots by more than 10 um, and the surface has no crease at a
+ * section.  Where a body begins or ends they are one-sided.
  *
  * y to the right, z down, x and stations forward. */
 #ifndef VX_PROFILE_LOFT_H

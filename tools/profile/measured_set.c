@@ -8,6 +8,7 @@
 #include "formats/reason.h"
 
 #define MOTION 5e-4          /* m, of a body from one section to the next where `every` does not say */
+#define ROUNDING 1e-9        /* of a number of parts */
 #define SAME 1e-6            /* m, moved less it is the same */
 #define SMOOTHING_AGAIN 0.5  /* of the sections' own wavelength, between them */
 
@@ -33,7 +34,7 @@ static const char *body_stations(const struct loft *l, double every, struct stat
         if (i == l->n - 1 || why)
             break;
         double from = l->section[i].station, length = l->section[i + 1].station - from, motion = loft_motion(l, i);
-        int64_t parts = motion < SAME ? 1 : (int64_t)ceil(every > 0 ? length / every : motion / MOTION);
+        int64_t parts = motion < SAME ? 1 : (int64_t)ceil((every > 0 ? length / every : motion / MOTION) - ROUNDING);
         for (int64_t j = 1; !why && j < parts; j++)
             why = station_put(s, from + length * (double)j / (double)parts);
     }
