@@ -58,7 +58,13 @@ fails 1 "a text" vxdump $input
 apart()
 {
     vxdump "$1" y z >"$dir/a" && vxdump "$2" y z >"$dir/b"
-    awk -F, '
+    curves_apart 1e9
+}
+
+# The same of the columns in $dir/a and $dir/b, times a factor that makes nm or um of it; the first line is a heading.
+curves_apart()
+{
+    awk -v nm="$1" -F, '
         FNR == 1 {next}
         NR == FNR {y[++n] = $1; z[n] = $2; next}
         {
@@ -70,7 +76,7 @@ apart()
             d = d < 0 ? -d : d
             worst = d > worst ? d : worst; m++
         }
-        END {printf "%.2f\n", (m > 1000) ? 1e9 * worst : 1e9}' "$dir/a" "$dir/b"
+        END {printf "%.2f\n", (m > 100) ? nm * worst : 1e9}' "$dir/a" "$dir/b"
 }
 for shape in S1002:wheel:prw 60E1:rail:prr; do
     name=${shape%%:*} ending=${shape##*:} part=${shape#*:} part=${part%:*}
@@ -104,6 +110,19 @@ is "$(ls "$dir/nose" | wc -l | tr -d ' ')" "$slices" "as many files as slices"
 is "$(grep -c "'nose/slice_" "$dir/nose.slcs")" "$slices" "each named beside the .slcs"
 [ -z "$(sed -n "s/.*'\(.*\)'.*/\1/p" "$dir/nose.slcs" | while read -r f; do [ -s "$dir/$f" ] || echo "$f"; done)" ]
 ok $? "and there"
+# Read again the heights count from another section, so the top of each counts; the points are those of lines along the track.
+vxprofile --side l --set sections.position=0.7535 --set smoothing=0 -o "$dir/again.prof" "$dir/nose.slcs"
+ok $? "vxprofile reads the slices"
+level()
+{
+    vxdump --yz --at "$1" --body "$2" "$3" | awk '/^#/ {next} {y[++n] = $1; z[n] = $2; top = (n == 1 || $2 < top) ? $2 : top}
+        END {print "y,z"; for (i = 1; i <= n; i++) printf "%.9f,%.9f\n", y[i], z[i] - top}'
+}
+for at in 46.8 47.5 54.2; do
+    level $at nose "$dir/turnout.prof" >"$dir/a"
+    level $at rail "$dir/again.prof" >"$dir/b"
+    between "$(curves_apart 1e3)" 0 3 "the nose at $at m by way of slices: apart, um"
+done
 fails 1 "slices of a wheel" vxdump --slices -o "$dir/w.slcs" "$dir/was.prof"
 fails 1 "slices into another ending" vxdump --slices --body nose -o "$dir/w.txt" "$dir/turnout.prof"
 fails 1 "a track as Simpack" vxdump --simpack "$dir/t.trk"
