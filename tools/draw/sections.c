@@ -1,10 +1,13 @@
 #include "tools/draw/sections.h"
 
 #include <math.h>
+#include <string.h>
 
 static const double space = 0.012;     /* m, between the cells */
 static const double rim = 0.005;       /* m, of a wheel drawn above the highest point of its outline */
-static const double words = 11;        /* pt, above a section, for its station */
+static const double words = 11;        /* pt, above a section, for the names of its rails */
+static const double room = 42;         /* pt, left of a section, for its station */
+static const double astray = 0.002;    /* m, from the running edge: no closure rail any more */
 static const double paper = 440;       /* pt, width of the grid in print */
 
 /* colour over white. */
@@ -89,7 +92,7 @@ struct grid {
     double point;           /* m of profile in a point on paper */
 };
 
-/* The grid that draws n cells with profiles of w by h largest on a picture of this shape, words above each. */
+/* The grid that draws n cells with profiles of w by h largest on a picture of this shape, words above each, room to its left. */
 static struct grid best_grid(int n, double w, double h, double shape)
 {
     struct grid best = {0};
@@ -97,10 +100,10 @@ static struct grid best_grid(int n, double w, double h, double shape)
     for (int columns = 1; columns <= n; columns++) {
         int rows = (n + columns - 1) / columns;
         /* width and height of the paper hold columns and rows, whichever is tighter */
-        double across = columns * w / paper, down = rows * h / (paper / shape - rows * words);
-        double point = down < 0 ? INFINITY : fmax(across, down);
+        double across = columns * w / (paper - columns * room), down = rows * h / (paper / shape - rows * words);
+        double point = across < 0 || down < 0 ? INFINITY : fmax(across, down);
         if (columns == 1 || point < best.point * (1 - 1e-9))
-            best = (struct grid){columns, rows, w, h + words * point, point};
+            best = (struct grid){columns, rows, w + room * point, h + words * point, point};
     }
     return best;
 }
@@ -136,11 +139,82 @@ static const char *one_section(struct chart *c, const struct prof *p, int64_t se
     return c->why;
 }
 
+/* y of a polyline's gauge side: the right end of a left rail. */
+static double gauge_side(const struct prof *p, int64_t k)
+{
+    return p->side == 'l' ? p->y[p->poly_first[k + 1] - 1] : p->y[p->poly_first[k]];
+}
+
+/* What an engineer calls polyline k: a turnout's switch and wing rail is a switch rail beside the stock rail, a wing rail once its gauge side
+ * has left `edge` (m), a closure rail between. */
+static const char *rail_name(const struct prof *p, int64_t k, double edge)
+{
+    const char *name = p->body[p->poly_body[k]];
+
+    if (strcmp(name, "switch and wing rail") != 0)
+        return name;
+    if (fabs(gauge_side(p, k) - edge) > astray)
+        return "wing rail";
+    for (int64_t j = 0; j < p->polys; j++)
+        if (p->poly_section[j] == p->poly_section[k] && strcmp(p->body[p->poly_body[j]], "stock rail") == 0)
+            return "switch rail";
+    return "closure rail";
+}
+
+struct stack {
+    const struct prof *p;
+    const struct grid *g;
+    struct cell e;
+    double edge;                       /* m, y of the running edge */
+    uint64_t legend;                   /* bodies named there */
+    const char *last[64];              /* name each body was last called */
+};
+
+/* The bodies of one section with its station and, where it is new, the name of each rail above it. */
+static void draw_section(struct chart *c, struct chart_panel *panel, struct stack *s, int64_t section, double y, double z)
+{
+    const struct prof *p = s->p;
+    struct chart_note *note;
+
+    for (int64_t j = 0; j < p->polys; j++) {
+        if (p->poly_section[j] != section)
+            continue;
+        int64_t body = p->poly_body[j] % 64;
+        uint64_t bit = (uint64_t)1 << body;
+        const char *name = rail_name(p, j, s->edge);
+        sections_polyline(c, panel, p, j, y, z, s->legend & bit ? NULL : p->body[p->poly_body[j]]);
+        s->legend |= bit;
+        if (p->bodies > 1 && (!s->last[body] || strcmp(s->last[body], name) != 0)) {
+            note = chart_add_note(c, panel, y + gauge_side(p, j), z + s->e.top - 3 * s->g->point, name);
+            note->fixed = 1;
+            note->across = p->side == 'l';
+            note->colour = chart_colour((int)p->poly_body[j]);
+        }
+        s->last[body] = name;
+    }
+    note = chart_add_note(c, panel, y + s->e.left - room * s->g->point, z + s->e.bottom, chart_words(c, "%.2f m", p->station[section]));
+    note->fixed = 1;
+}
+
+/* Down a column, so that rails are seen to move: its running edge, a thin line. */
+static void draw_edge(struct chart *c, struct chart_panel *panel, double y, double top, double bottom)
+{
+    double *line = chart_numbers(c, 4);
+
+    if (!line)
+        return;
+    line[0] = line[1] = y;
+    line[2] = top;
+    line[3] = bottom;
+    struct chart_series *s = chart_add_series(c, panel, NULL, 2, line, line + 2);
+    s->colour = CHART_GREY;
+    s->width = 0.4;
+}
+
 const char *sections_chart(struct chart *c, const struct prof *p, double from, double to, double shape)
 {
     int64_t pick[SECTIONS_MOST];
     int n = choose(p, from, to, pick);
-    uint64_t named = 0;                /* bodies in the legend */
 
     c->equal = 1;
     if (n == 0)
@@ -149,21 +223,16 @@ const char *sections_chart(struct chart *c, const struct prof *p, double from, d
         return one_section(c, p, pick[0]);
     struct cell e = extent(p, pick, n);
     struct grid g = best_grid(n, e.right - e.left + space, e.bottom - e.top + space, shape * 1.2);
+    struct stack s = {.p = p, .g = &g, .e = e, .edge = gauge_side(p, 0)};
     c->bare = 1;
     struct chart_panel *panel = chart_add_panel(c, NULL, 1);
     panel->y.down = 1;
     for (int k = 0; k < n; k++) {
-        double y = k % g.columns * g.w - e.left, z = k / g.columns * g.h - e.top;
-        for (int64_t j = 0; j < p->polys; j++) {
-            if (p->poly_section[j] != pick[k])
-                continue;
-            uint64_t bit = (uint64_t)1 << p->poly_body[j] % 64;
-            sections_polyline(c, panel, p, j, y, z, named & bit ? NULL : p->body[p->poly_body[j]]);
-            named |= bit;
-        }
-        struct chart_note *note = chart_add_note(c, panel, y + e.left, z + e.top - 3 * g.point,
-                                                 chart_words(c, "%.2f m", p->station[pick[k]]));
-        note->fixed = 1;
+        double y = k / g.rows * g.w + room * g.point - e.left, z = k % g.rows * g.h - e.top;
+        int left = n - k < g.rows ? n - k : g.rows;
+        if (k % g.rows == 0)
+            draw_edge(c, panel, y + s.edge, 0, left * g.h - words * g.point);
+        draw_section(c, panel, &s, pick[k], y, z);
     }
     c->x.lo = -space / 2;
     c->x.hi = g.columns * g.w - space / 2;

@@ -1,4 +1,5 @@
-/* Figure of a .prof: its cross-sections in a grid, in the order of the track, at one scale, a colour for each body. */
+/* Figure of a .prof: its cross-sections at one scale, down columns in the order of the track, a colour for each body, each
+ * rail named where it begins. */
 #ifndef VX_DRAW_SECTIONS_H
 #define VX_DRAW_SECTIONS_H
 
