@@ -10,11 +10,12 @@
 
 #include "tools/draw/figure.h"
 #include "tools/draw/png.h"
+#include "tools/draw/sequence.h"
 
 static const char usage[] =
     "vxplot [--figure NAME] [--size WxH] [--title TEXT] [--from X] [--to X]\n"
     "       [--label TEXT]... [--mark X=TEXT]... [--station M] [--yaw RAD] [--u M]\n"
-    "       [--pairs N] [--wheelset N] [--sleeper N]... [-o OUT.png] FILE...\n"
+    "       [--pairs N] [--stations N] [--each] [--wheelset N] [--sleeper N]... [-o OUT.png] FILE...\n"
     "vxplot --list";
 
 enum { FILES = 8 };
@@ -24,9 +25,9 @@ static struct {
     double from, to;                     /* in the SI unit of x */
     struct cli_list label, mark, sleeper;
     struct contact_place at;
-    int64_t pairs, wheelset;
-    int list;
-} opt = {.size = "1600x900", .from = -INFINITY, .to = INFINITY, .pairs = 40, .wheelset = 1};
+    int64_t pairs, stations, wheelset;
+    int each, list;
+} opt = {.size = "1600x900", .from = -INFINITY, .to = INFINITY, .pairs = 40, .stations = 12, .wheelset = 1};
 
 #define ANY .lo = -1e9, .hi = 1e9
 
@@ -42,8 +43,10 @@ static const struct cli_option option[] = {
     {.name = "yaw", .type = CLI_NUM, .value = &opt.at.yaw, .lo = -1, .hi = 1},
     {.name = "u", .letter = 1, .type = CLI_NUM, .value = &opt.at.u, .lo = -1, .hi = 1},
     {.name = "pairs", .type = CLI_INT, .value = &opt.pairs, .lo = 1, .hi = 1000},
+    {.name = "stations", .type = CLI_INT, .value = &opt.stations, .lo = 1, .hi = SEQUENCE_MOST},
     {.name = "wheelset", .type = CLI_INT, .value = &opt.wheelset, .lo = 1, .hi = 1000},
     {.name = "sleeper", .type = CLI_LIST, .value = &opt.sleeper},
+    {.name = "each", .type = CLI_FLAG, .value = &opt.each},
     {.name = "list", .type = CLI_FLAG, .value = &opt.list},
     {.name = "o", .type = CLI_TEXT, .value = &opt.out},
     {0},
@@ -142,17 +145,49 @@ static void add_marks(struct chart *c)
     }
 }
 
-static void paint(const struct chart *c, int width, int height)
+static void paint(const struct chart *c, const char *path, int width, int height)
 {
     struct canvas canvas;
     struct cli_out out;
 
-    cli_create(&out, opt.out, 1);
+    cli_create(&out, path, 1);
     cli_check("picture", canvas_new(&canvas, width, height));
     cli_check("picture", chart_draw(c, &canvas));
-    cli_check(opt.out ? opt.out : "standard output", png_put(out.file, width, height, canvas.rgb, cli_command()));
+    cli_check(path ? path : "standard output", png_put(out.file, width, height, canvas.rgb, cli_command()));
     cli_close(&out);
     canvas_free(&canvas);
+}
+
+/* The chart of one figure, or of one frame, painted; 0 behind the last frame. */
+static int draw(const struct figure *figure, struct operands *o, const struct figure_options *options, const char *path, int width,
+                int height)
+{
+    struct chart c;
+
+    chart_begin(&c);
+    add_marks(&c);
+    cli_check(o->path[0], figure_make(figure, &c, o->n, o->in, options));
+    int drawn = c.panels > 0;
+    if (opt.title)
+        c.title = opt.title;
+    if (drawn)
+        paint(&c, path, width, height);
+    chart_free(&c);
+    return drawn;
+}
+
+/* OUT.png becomes OUT-01.png and so on. */
+static void draw_frames(const struct figure *figure, struct operands *o, struct figure_options *options, int width, int height)
+{
+    char path[4096];
+    size_t length = strlen(opt.out);
+    int stem = (int)(length > 4 && strcmp(opt.out + length - 4, ".png") == 0 ? length - 4 : length);
+
+    for (int drawn = 1; drawn; options->frame++) {
+        if (snprintf(path, sizeof path, "%.*s-%02d.png", stem, opt.out, options->frame + 1) >= (int)sizeof path)
+            cli_die("%s: the name is too long", opt.out);
+        drawn = draw(figure, o, options, path, width, height);
+    }
 }
 
 static int list_figures(void)
@@ -166,7 +201,6 @@ int main(int argc, char **argv)
 {
     static const int64_t panels[] = {2, 40, 80};   /* a sleeper in the switch, closure and crossing panel */
     static struct operands o;
-    struct chart c;
     int64_t number[CHART_PANELS];
     int width, height;
     const char *why;
@@ -178,21 +212,20 @@ int main(int argc, char **argv)
         cli_misuse("which file?");
     if (opt.figure && !figure_known(opt.figure))
         cli_misuse("no figure is called %s: vxplot --list names them", opt.figure);
+    if (opt.each && !(opt.out && opt.figure && strcmp(opt.figure, "sequence") == 0))
+        cli_misuse("--each is of --figure sequence, with -o");
     parse_size(&width, &height);
-    struct figure_options options = {opt.from, opt.to, (double)width / height, opt.at, (int)opt.pairs,
+    struct figure_options options = {opt.from, opt.to, (double)width / height, opt.at, (int)opt.pairs, (int)opt.stations, opt.each - 1,
                                      {opt.wheelset, 3, panels}};
     parse_sleepers(&options.runs, number);
-    chart_begin(&c);
-    add_marks(&c);
     open_operands(&o);
     const struct figure *figure = figure_choose(opt.figure, o.n, o.in, &why);
     if (!figure)
         cli_die("%s; vxplot --list says what each figure takes", why);
-    cli_check(o.path[0], figure_make(figure, &c, o.n, o.in, &options));
-    if (opt.title)
-        c.title = opt.title;
-    paint(&c, width, height);
-    chart_free(&c);
+    if (opt.each)
+        draw_frames(figure, &o, &options, width, height);
+    else
+        draw(figure, &o, &options, opt.out, width, height);
     close_operands(&o);
     return cli_end();
 }

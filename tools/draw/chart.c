@@ -25,6 +25,15 @@ unsigned chart_colour(int k)
     return colour[k % CHART_COLOURS];
 }
 
+unsigned chart_tint(unsigned colour)
+{
+    unsigned pale = 0;
+
+    for (int shift = 0; shift <= 16; shift += 8)
+        pale |= (255 - (255 - (colour >> shift & 255)) / 5) << shift;
+    return pale;
+}
+
 double chart_factor(const struct chart_axis *a)
 {
     return a->factor == 0 ? 1 : a->factor;

@@ -17,6 +17,7 @@ enum { CHART_BLUE = 0x0072b2, CHART_RED = 0xd55e00, CHART_GREEN = 0x009e73, CHAR
        CHART_WINE = 0x882255, CHART_GREY = 0x707070 };
 enum { CHART_COLOURS = 7 };
 unsigned chart_colour(int k);              /* the k-th of the seven, in turn */
+unsigned chart_tint(unsigned colour);      /* a fifth of it over white, for what it fills */
 
 struct chart_axis {
     const char *label;                     /* with its unit: "wheel force Q (kN)" */

@@ -10,6 +10,8 @@ static const double normal = 0.008;        /* m, drawn length of a normal to eit
 static const double apart = 0.035;         /* m, wheel above rail in the picture of pairs */
 static const double gauge_side = 0.075;    /* m, half width shown there: flange and tread */
 static const double name_room = 0.006, clear = 0.0015;   /* m, between the names of pairs, above the wheel */
+static const double lowest = 0.016;        /* m, shown below the rail's top there */
+enum { leaps_most = 6 };                   /* named in the title */
 static const double touching = 1e-6;       /* m, gap of a contact called touching */
 
 int64_t contact_nearest(int64_t n, const double *x, double v)
@@ -22,7 +24,7 @@ int64_t contact_nearest(int64_t n, const double *x, double v)
     return best;
 }
 
-static const char *fits(const struct prof *wheel, const struct prof *rail, const struct ctab *t)
+const char *contact_fits(const struct prof *wheel, const struct prof *rail, const struct ctab *t)
 {
     if (wheel->part != 'w')
         return "the first profile is not a wheel";
@@ -43,7 +45,7 @@ static void rail_bodies(struct chart *c, struct chart_panel *panel, const struct
 }
 
 /* The wheel with its running circle's lowest point at (y, z). */
-static void wheel_outline(struct chart *c, struct chart_panel *panel, const struct prof *wheel, double y, double z)
+static void wheel_outline(struct chart *c, struct chart_panel *panel, const struct prof *wheel, double y, double z, const char *label)
 {
     int64_t n = wheel->poly_first[1];
     double *px = chart_numbers(c, n), *py = chart_numbers(c, n);
@@ -54,7 +56,7 @@ static void wheel_outline(struct chart *c, struct chart_panel *panel, const stru
         px[i] = wheel->y[i] + y;
         py[i] = wheel->z[i] + z;
     }
-    struct chart_series *s = chart_add_series(c, panel, "wheel", n, px, py);
+    struct chart_series *s = chart_add_series(c, panel, label, n, px, py);
     s->colour = CHART_BLACK;
     s->width = 1.6;
 }
@@ -100,7 +102,7 @@ static struct chart_panel *begin(struct chart *c)
 const char *contact_chart(struct chart *c, const struct prof *wheel, const struct prof *rail, const struct ctab *t,
                           const struct contact_place *at)
 {
-    const char *why = fits(wheel, rail, t);
+    const char *why = contact_fits(wheel, rail, t);
     int count;
 
     if (why)
@@ -112,7 +114,7 @@ const char *contact_chart(struct chart *c, const struct prof *wheel, const struc
         return reason("no contact at station %g m, yaw %g rad, u %g m", t->station[i], t->yaw[j], t->u[k]);
     struct chart_panel *panel = begin(c);
     rail_bodies(c, panel, rail, t->station[i]);
-    wheel_outline(c, panel, wheel, t->u[k] + wheel->position - rail->position, row[CTAB_HEIGHT]);
+    wheel_outline(c, panel, wheel, t->u[k] + wheel->position - rail->position, row[CTAB_HEIGHT], "wheel");
     for (int s = 0; s < count; s++) {
         const float *contact = row + s * CTAB_N;
         contact_point(c, panel, contact, s, contact[CTAB_HEIGHT] - row[CTAB_HEIGHT]);
@@ -177,10 +179,42 @@ static int64_t join_pairs(struct chart *c, struct chart_panel *panel, const stru
     return n;
 }
 
+/* "Leaps at u = 0.25, 5.15 mm": half-way between the displacements at which another contact touches first that is not the same going on. */
+static const char *leaps_words(struct chart *c, const struct ctab *t, int64_t i, int64_t j)
+{
+    const char *words = "";
+    int leaps = 0;
+
+    for (int64_t k = 0; k + 1 < t->us; k++) {
+        int before, behind;
+        const float *row = ctab_node(t, i, j, k, &before);
+        ctab_node(t, i, j, k + 1, &behind);
+        if (before == 0 || behind == 0 || t->link[(row - t->row) / CTAB_N * CTAB_LINKS + CTAB_LINK_U] == 1)
+            continue;
+        double u = 0.5 * (t->u[k] + t->u[k + 1]);
+        words = leaps < leaps_most ? chart_words(c, "%s%s %.2f", words, leaps ? "," : "", u * 1e3) : words;
+        leaps++;
+    }
+    if (leaps == 0)
+        return "Contact pairs without a leap";
+    return chart_words(c, "Leaps at u =%s%s mm", words, leaps > leaps_most ? " ..." : "");
+}
+
+/* Which side of the rail is which, at the lower corners. */
+static void name_sides(struct chart *c, struct chart_panel *panel, char side)
+{
+    for (int right = 0; right < 2; right++) {
+        const char *words = right == (side == 'l') ? "gauge side" : "field side";
+        struct chart_note *note = chart_add_note(c, panel, right ? gauge_side - clear : clear - gauge_side, lowest - clear, words);
+        note->fixed = 1;
+        note->across = right;
+    }
+}
+
 const char *contact_pairs_chart(struct chart *c, const struct prof *wheel, const struct prof *rail, const struct ctab *t,
                                 const struct contact_place *at, int pairs)
 {
-    const char *why = fits(wheel, rail, t);
+    const char *why = contact_fits(wheel, rail, t);
 
     if (why)
         return why;
@@ -193,7 +227,7 @@ const char *contact_pairs_chart(struct chart *c, const struct prof *wheel, const
         return c->why;
     struct chart_panel *panel = begin(c);
     rail_bodies(c, panel, rail, t->station[i]);
-    wheel_outline(c, panel, wheel, shift, -apart);
+    wheel_outline(c, panel, wheel, shift, -apart, chart_words(c, "wheel, raised by %.0f mm", apart * 1e3));
     int64_t n = join_pairs(c, panel, wheel, t, i, j, every, shift, x, y);
     struct chart_series *s = chart_add_series(
         c, panel, chart_words(c, "contact pairs, u every %.3g mm, named at the wheel", (double)every * du * 1e3), n, x, y);
@@ -202,8 +236,9 @@ const char *contact_pairs_chart(struct chart *c, const struct prof *wheel, const
     c->x.lo = -gauge_side;
     c->x.hi = gauge_side;
     panel->y.lo = -apart - 0.012;
-    panel->y.hi = 0.016;
-    c->title = chart_words(c, "Contact pairs at yaw %.2f mrad%s", t->yaw[j] * 1e3,
+    panel->y.hi = lowest;
+    name_sides(c, panel, t->side);
+    c->title = chart_words(c, "%s; yaw %.2f mrad%s", leaps_words(c, t, i, j), t->yaw[j] * 1e3,
                            t->stations > 1 ? chart_words(c, ", station %.3f m", t->station[i]) : "");
     return c->why;
 }

@@ -19,6 +19,9 @@ const char *contact_chart(struct chart *c, const struct prof *wheel, const struc
 const char *contact_pairs_chart(struct chart *c, const struct prof *wheel, const struct prof *rail, const struct ctab *t,
                                 const struct contact_place *at, int pairs);
 
+/* Why these three do not belong together; NULL where they may. */
+const char *contact_fits(const struct prof *wheel, const struct prof *rail, const struct ctab *t);
+
 /* Index of the member of x [n], increasing, nearest to v. */
 int64_t contact_nearest(int64_t n, const double *x, double v);
 

@@ -5,9 +5,11 @@
 
 #include "tools/draw/limits.h"
 #include "tools/draw/modes.h"
+#include "tools/draw/path.h"
 #include "tools/draw/radius.h"
 #include "tools/draw/receptance.h"
 #include "tools/draw/sections.h"
+#include "tools/draw/sequence.h"
 #include "tools/draw/tables.h"
 #include "tools/draw/yaw.h"
 
@@ -57,6 +59,17 @@ static const char *make_contact(struct chart *c, int n, const struct figure_inpu
     return why ? why : contact_chart(c, &wheel, &rail, &t, &o->at);
 }
 
+static const char *make_sequence(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
+{
+    struct prof wheel, rail;
+    struct ctab t;
+    const char *why = read_contacts(in, &wheel, &rail, &t);
+
+    (void)n;
+    const struct sequence_choice choice = {o->from, o->to, o->stations, o->frame};
+    return why ? why : sequence_chart(c, &wheel, &rail, &t, &o->at, &choice, o->shape);
+}
+
 static const char *make_pairs(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
 {
     struct prof wheel, rail;
@@ -77,6 +90,15 @@ static const char *make_radius(struct chart *c, int n, const struct figure_input
     return why ? why : radius_chart(c, &left, &right, o->at.station, o->at.yaw);
 }
 
+static const char *make_path(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
+{
+    struct ctab t;
+    const char *why = ctab_read(&t, in[0].file);
+
+    (void)n;
+    return why ? why : path_chart(c, &t, &o->at, o->from, o->to);
+}
+
 static const char *make_modes(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
 {
     struct mod m;
@@ -94,6 +116,13 @@ static const char *make_rolling_radius(struct chart *c, int n, const struct figu
     (void)n;
     (void)o;
     return tables_rolling_radius(c, in[0].table);
+}
+
+static const char *make_conicity(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
+{
+    (void)n;
+    (void)o;
+    return tables_conicity(c, in[0].table);
 }
 
 static const char *make_table(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
@@ -132,9 +161,12 @@ const struct figure figures[] = {
     {"sections", "prof", "cross-sections along the track", make_sections, NULL},
     {"contact", "prof prof ctab", "wheel on rail and its contact points, at --station --yaw --u", make_contact, NULL},
     {"pairs", "prof prof ctab", "points of wheel and rail that touch, over all displacements", make_pairs, NULL},
+    {"sequence", "prof prof ctab", "wheel on rail at --stations of the track", make_sequence, NULL},
+    {"path", "ctab", "height of a wheel and place of its contact along the track", make_path, NULL},
     {"radius", "ctab ctab", "rolling radius difference over lateral displacement", make_radius, NULL},
     {"radius", "text", "the same from vxcontact --rolling-radius, with roll", make_rolling_radius, NULL},
     {"yaw", "text ...", "the contact that touches, from vxcontact --sweep, by method", make_yaw, NULL},
+    {"conicity", "text", "equivalent conicity over amplitude, from vxcontact --conicity", make_conicity, NULL},
     {"table", "text", "columns of numbers over the first, a panel for each unit", make_table, NULL},
     {"vertical", "run ...", "vertical force Q of --wheelset, left and right", NULL, runs_vertical},
     {"lateral", "run ...", "lateral force Y of --wheelset, left and right", NULL, runs_lateral},
@@ -213,8 +245,8 @@ const char *figure_make(const struct figure *f, struct chart *c, int n, const st
 {
     const char *why = f->runs ? make_runs(f->runs, c, n, in, o) : f->make(c, n, in, o);
 
-    /* of sections the window is along the track, not along x */
-    if (why || f->make == make_sections)
+    /* of sections and a sequence the window is along the track, not along x */
+    if (why || f->make == make_sections || f->make == make_sequence)
         return why;
     return set_window(c, o->from, o->to);
 }

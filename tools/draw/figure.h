@@ -19,7 +19,8 @@ struct figure_options {
     double from, to;                 /* window along x in its SI unit; infinite: the data */
     double shape;                    /* width over height of the picture */
     struct contact_place at;
-    int pairs;
+    int pairs, stations;             /* most of them shown */
+    int frame;                       /* of a sequence, alone; -1 is the sheet */
     struct runs_choice runs;
 };
 
@@ -39,7 +40,7 @@ int figure_known(const char *name);
 /* The first figure called name (any where NULL) that takes in [n], or NULL and why not. */
 const struct figure *figure_choose(const char *name, int n, const struct figure_input *in, const char **why);
 
-/* Fills c, begun. */
+/* Fills c, begun; behind the last frame of a sequence c stays without a panel. */
 const char *figure_make(const struct figure *f, struct chart *c, int n, const struct figure_input *in,
                         const struct figure_options *o);
 

@@ -10,16 +10,6 @@ static const double room = 42;         /* pt, left of a section, for its station
 static const double astray = 0.002;    /* m, from the running edge: no closure rail any more */
 static const double paper = 440;       /* pt, width of the grid in print */
 
-/* colour over white. */
-static unsigned tint(unsigned colour)
-{
-    unsigned pale = 0;
-
-    for (int shift = 0; shift <= 16; shift += 8)
-        pale |= (255 - (255 - (colour >> shift & 255)) / 5) << shift;
-    return pale;
-}
-
 void sections_polyline(struct chart *c, struct chart_panel *panel, const struct prof *p, int64_t k, double y, double z,
                        const char *label)
 {
@@ -41,7 +31,7 @@ void sections_polyline(struct chart *c, struct chart_panel *panel, const struct 
     py[n] = py[n + 1] = p->part == 'w' ? highest - rim : deepest;
     struct chart_series *body = chart_add_series(c, panel, NULL, n + 2, px, py);
     body->filled = 1;
-    body->colour = tint(colour);
+    body->colour = chart_tint(colour);
     chart_add_series(c, panel, label, n, px, py)->colour = colour;
 }
 

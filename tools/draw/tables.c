@@ -54,3 +54,23 @@ const char *tables_rolling_radius(struct chart *c, const struct columns *t)
     s->dash = CANVAS_DASHED;
     return c->why;
 }
+
+const char *tables_conicity(struct chart *c, const struct columns *t)
+{
+    static const char *const name[] = {"conicity", "contact_angle_parameter", "roll_parameter"};
+    static const char *const label[] = {"conicity", "contact angle ε", "roll σ"};
+    int amplitude = columns_find(t, "amplitude"), column[3];
+
+    for (int k = 0; k < 3; k++)
+        if ((column[k] = columns_find(t, name[k])) < 0 || amplitude < 0)
+            return reason("no column %s: not a table of vxcontact --conicity", amplitude < 0 ? "amplitude" : name[k]);
+    c->x = (struct chart_axis){.label = "amplitude of the wheelset (mm)", .factor = 1e3};
+    for (int k = 0; k < 3; k++) {
+        struct chart_panel *p = chart_add_panel(c, label[k], 1);
+        struct chart_series *s = chart_add_series(c, p, NULL, t->rows, t->value[amplitude], t->value[column[k]]);
+        s->colour = CHART_BLACK;
+        s->mark = t->rows < 60 ? CANVAS_DISC : CANVAS_NO_MARK;
+    }
+    c->title = "Equivalent conicity and further parameters over amplitude";
+    return c->why;
+}

@@ -11,4 +11,7 @@ const char *tables_chart(struct chart *c, const struct columns *t);
 /* The table of vxcontact --rolling-radius: rolling radius difference, and where the contacts are on both rails. */
 const char *tables_rolling_radius(struct chart *c, const struct columns *t);
 
+/* The table of vxcontact --conicity: the parameters of linear wheelset models over the amplitude, a panel each. */
+const char *tables_conicity(struct chart *c, const struct columns *t);
+
 #endif
