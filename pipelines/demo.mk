@@ -5,8 +5,8 @@
 include pipelines/rules.mk
 
 D = out/demo
-DEMO = $(addprefix $D/,sections.png switch-contact.png crossing-contact.png contact-jump.png rolling-radius.png receptance.png \
-       vertical.png lateral.png pads.png ballast.png max-pads.png max-ballast.png \
+DEMO = $(addprefix $D/,sections.png switch-contact.png crossing-contact.png crossing-sequence.png crossing-path.png contact-jump.png \
+       rolling-radius.png conicity.png receptance.png vertical.png lateral.png pads.png ballast.png max-pads.png max-ballast.png \
        zones.csv sleepers.csv wheels.csv balance.csv)
 
 demo: $(DEMO) $(PROGRAMS)               ## the main job: a train through a turnout, into out/demo
@@ -43,10 +43,18 @@ $D/sections.png: PLOT = --figure sections
 $D/switch-contact.png $D/crossing-contact.png: $D/wheel-l.prof $D/turnout-l.prof $D/turnout-l.ctab
 $D/switch-contact.png: PLOT = --figure contact --station 6.5 --u -0.005 --yaw -0.002
 $D/crossing-contact.png: PLOT = --figure contact --station 47.2 --u -0.0035 --yaw -0.002
+$D/crossing-sequence.png: $D/wheel-l.prof $D/turnout-l.prof $D/turnout-l.ctab
+$D/crossing-sequence.png: PLOT = --size 1600x1050 --figure sequence --from 46.8 --to 47.35 --u -0.0035 --yaw -0.002
+$D/crossing-path.png: $D/turnout-l.ctab
+$D/crossing-path.png: PLOT = --size 1600x1100 --figure path --from 46 --to 48 --yaw -0.002
 $D/contact-jump.png: $D/wheel-r.prof $D/rail40-r.prof $D/rail40-r.ctab
 $D/contact-jump.png: PLOT = --figure pairs
 $D/rolling-radius.png: $D/rail40-l.ctab $D/rail40-r.ctab
-$D/rolling-radius.png: PLOT = --figure radius
+$D/rolling-radius.png: PLOT = --figure radius --from -0.0075 --to 0.0075
+$D/conicity.txt: $D/rail40-l.ctab $D/rail40-r.ctab
+$D/conicity.txt: ASK = --conicity 0.001,0.0015,0.002,0.0025,0.003,0.0035,0.004,0.0045,0.005,0.0055,0.006
+$D/conicity.png: $D/conicity.txt
+$D/conicity.png: PLOT = --figure conicity
 $D/receptance.png: $D/sleeper.frf $D/midspan.frf
 $D/receptance.png: PLOT = --figure receptance
 

@@ -39,5 +39,9 @@ out/%.run: $(BIN)/vxrun
 out/%.csv: $(BIN)/vxpost
 	$(BIN)/vxpost $(POST) -o $@ $(call of,.run)
 
+# What vxcontact says of a wheelset: the left table, the right one.
+out/%.txt: $(BIN)/vxcontact
+	$(BIN)/vxcontact $(ASK) $(call of,-l.ctab) $(call of,-r.ctab) >$@
+
 out/%.png: $(BIN)/vxplot
 	$(BIN)/vxplot $(PLOT) -o $@ $(filter-out $(BIN)/%,$^)

@@ -39,6 +39,16 @@ draws "sections of a turnout, a window of them" 800x450 vxplot --size 800x450 --
 draws "a single section" 800x450 vxplot --size 800x450 wl.prof
 draws "a contact at u and yaw" 800x450 vxplot --size 800x450 --u 0.0066 --yaw 0.01 wr.prof rr.prof r.ctab
 draws "contact pairs" 800x450 vxplot --size 800x450 --figure pairs wl.prof rl.prof l.ctab
+vxcontact --wheel wl.prof --rail turnout.prof --yaw none -o turnout.ctab
+draws "a wheel through the crossing, a sheet" 800x450 \
+    vxplot --size 800x450 --figure sequence --from 46.8 --to 47.3 --stations 6 wl.prof turnout.prof turnout.ctab
+draws "its path" 800x450 vxplot --size 800x450 --figure path --from 46 --to 48 turnout.ctab
+vxplot --size 800x450 --figure sequence --from 46.8 --to 47.3 --stations 3 --each -o frame.png wl.prof turnout.prof turnout.ctab
+is "$(echo frame*.png)" "frame-01.png frame-02.png frame-03.png" "the same in numbered frames"
+cmp -s frame-01.png frame-02.png
+is $? 1 "which differ"
+draws "conicity over amplitude" 800x450 \
+    sh -c 'vxcontact --conicity 0.001,0.002,0.003 l.ctab r.ctab | vxplot --size 800x450 --figure conicity -'
 draws "rolling radii of two tables" 800x450 vxplot --size 800x450 l.ctab r.ctab
 draws "rolling radii from text" 800x450 vxplot --size 800x450 radius.txt
 draws "any table from standard input" 800x450 sh -c 'vxplot --size 800x450 --figure table - <radius.txt'
@@ -64,6 +74,8 @@ fails 2 "a size too small" vxplot --size 100x100 a.run
 fails 2 "a size too large" vxplot --size 5000x900 a.run
 fails 2 "a mark without words" vxplot --mark 3 a.run
 fails 2 "a sleeper that is no number" vxplot --figure pads --sleeper two a.run
+fails 2 "frames of another figure" vxplot --each -o frame.png --figure path turnout.ctab
+fails 2 "frames on standard output" vxplot --each --figure sequence wl.prof turnout.prof turnout.ctab
 fails 2 "an abbreviated option" vxplot --fig vertical a.run
 fails 1 "a sleeper that is not there" vxplot --figure pads --sleeper 999 a.run
 fails 1 "a wheelset that is not there" vxplot --wheelset 2 a.run
@@ -73,6 +85,9 @@ fails 1 "rail and wheel swapped" vxplot rr.prof wr.prof r.ctab
 fails 1 "profiles of another side than the table" vxplot wl.prof rl.prof r.ctab
 fails 1 "tables swapped" vxplot r.ctab l.ctab
 fails 1 "a window with nothing in it" vxplot --from 3 --to 2 a.run
+fails 1 "no station in the window" vxplot --figure sequence --from 1000 --to 2000 wl.prof turnout.prof turnout.ctab
+fails 1 "a path along a single station" vxplot --figure path l.ctab
+fails 1 "a table without conicities" vxplot --figure conicity radius.txt
 fails 1 "no section in the window" vxplot --from 1000 --to 2000 turnout.prof
 fails 1 "a file that is not there" vxplot none.run
 head -c 2000 sleeper.frf >cut.frf
