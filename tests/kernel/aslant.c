@@ -93,11 +93,11 @@ int main(void)
     struct shape *wheel = shape_s1002('r');
 
     inclined_plane(0.01);
-    inclined_plane(-0.05);
-    aslant(&wheel->prof, 0.005, 1.5, 0.5e-6, 0.05e-3);
+    inclined_plane(-0.04);
+    aslant(&wheel->prof, 0.005, 1.5, 1e-6, 0.05e-3);
     aslant(&wheel->prof, -0.015, 1.5, 20e-6, 2e-3);
     aslant(&wheel->prof, 0.03, 0.5, 0.5e-6, 0.2e-3);
-    aslant(&wheel->prof, 0.067, 0.1, 1e-8, 1e-5);
+    aslant(&wheel->prof, 0.067, 0.1, 0.5e-7, 1e-5);
     free(wheel);
     return done();
 }

@@ -192,7 +192,7 @@ static void test_path(const char *route)
     for (int64_t i = 0; i < o.n; i++)
         o.y[i] = wheel.outline.y[i], o.z[i] = wheel.outline.z[i], o.slope[i] = wheel.outline.slope[i],
         o.curvature[i] = wheel.outline.curvature[i];
-    ok(!set_section(&one, 0) && !set_body(&one, 0, &o) && !set_prof(&one, 'r', &wp) && !search_begin(&s, &wp, &rp, &yaw, 1, SEARCH_SILHOUETTE, 1e-4),
+    ok(!set_section(&one, 0) && !set_body(&one, 0, &o) && !set_prof(&one, 'r', &wp) && !search_begin(&s, &wp, &rp, &yaw, 1, SEARCH_PLANE, 1e-4),
        "the search");
     for (int64_t i = 0; i < rp.sections; i++) {
         search_section(&s, &rp, i);

@@ -12,7 +12,7 @@ const char *clearance_find(const struct prof *wheel, const struct prof *rail, do
     const double straight[1] = {0};
     struct search s = {0};
     struct search_contact c[SEARCH_MOST];
-    const char *why = search_begin(&s, wheel, rail, straight, 1, SEARCH_SILHOUETTE, u_step);
+    const char *why = search_begin(&s, wheel, rail, straight, 1, SEARCH_PLANE, u_step);
 
     if (!why)
         why = search_section(&s, rail, 0);

@@ -4,6 +4,8 @@
 
 #include <math.h>
 
+#include "tools/contact/clones.h"
+
 struct hermite { double z, slope; };
 
 /* Cubic with values z0, z1 and slopes d0, d1 (per unit of y) at the ends of a cell of width h, at t of 0..1. */
@@ -57,6 +59,7 @@ static void tabulate_piece(const struct gap_line *l, int64_t i, double step, str
         c->along_y[at] = along_y;
         c->bend[at] = l->bend[i] + d * bend_y;
         c->bend_y[at] = bend_y;
+        c->at[at] = 0;
     }
 }
 
@@ -74,6 +77,25 @@ void gap_tabulate(const struct gap_line *line, double step, struct gap_curve *c)
     c->level = 1;
     for (int64_t i = 0; i < line->n; i++)
         c->level &= line->along[i] == 0 && line->bend[i] == 0;
+}
+
+void gap_join(struct gap_curve *c, const struct gap_curve *from, double x, double b)
+{
+    for (int64_t i = 0, j = c->first - from->first; i < c->n; i++, j++) {
+        if (j < 0 || j >= from->n || isnan(from->slope[j]))
+            continue;
+        if (!isnan(c->slope[i]) && from->z[j] + 0.5 * b * x * x >= c->z[i] + 0.5 * b * c->at[i] * c->at[i])
+            continue;
+        c->z[i] = from->z[j];
+        c->slope[i] = from->slope[j];
+        c->k[i] = from->k[j];
+        c->along[i] = from->along[j];
+        c->along_y[i] = from->along_y[j];
+        c->bend[i] = from->bend[j];
+        c->bend_y[i] = from->bend_y[j];
+        c->at[i] = x;
+        c->level = 0;
+    }
 }
 
 /* Where a cubic with end values g0, g1 and end slopes d0 < 0 <= d1 (all per cell) is least, in (0, 1]. */
@@ -115,45 +137,74 @@ struct overlap {
     int64_t lo, hi, off;
 };
 
-/* Where a plane of fall e and bend k is nearest to a wheel of X and b: x, and how much nearer it is there than z_r - z_w. */
-static double nearest(double e, double k, double X, double b, double *x)
+static inline double within(double x, double lo, double hi)
 {
-    *x = (b * X - e) / (b + k);
-    return *x * (e + 0.5 * k * *x) + 0.5 * b * (*x - X) * (*x - X);
+    x = x > lo ? x : lo;
+    return x < hi ? x : hi;
 }
 
-/* d(gap)/dy, at the x where the gap is least: z_r' - z_w' + e' x + k' x^2/2 + b' (x - X)^2/2 - b (x - X) X'. */
-static double gap_slope(const struct overlap *o, int64_t i)
+/* Where rail and wheel are nearest in the plane of node i: q, and the gap there beyond z_r - z_w. */
+static double nearest(const struct overlap *o, int64_t i, double *q)
 {
     const struct gap_curve *r = o->r, *w = o->w;
     int64_t j = i + o->off;
-    double X = w->along[j], b = w->bend[j], x = (b * X - r->along[i]) / (b + r->bend[i]), behind = x - X;
+    double e = r->along[i], k = r->bend[i], X = w->along[j], b = w->bend[j];
 
-    return r->slope[i] - w->slope[j] + x * (r->along_y[i] + 0.5 * r->bend_y[i] * x) +
-           behind * (0.5 * w->bend_y[j] * behind - b * w->along_y[j]);
+    *q = within((b * (X - r->at[i]) - e) / (b + k), X - r->reach, X + r->reach);
+    double behind = r->at[i] + *q - X;
+    return *q * (e + 0.5 * k * *q) + 0.5 * b * behind * behind;
 }
 
-/* At the nodes lo .. hi. */
+/* d(gap)/dy at the nodes lo .. hi into d[hi - lo + 1], of a rail that falls, at the x where the gap is least:
+ * z_r' - z_w' + e' q + k' q^2/2 + b' (x - X)^2/2 + (e + k q) X'. */
+CLONES static void gap_slopes_fall(const struct overlap *o, double *restrict d)
+{
+    const struct gap_curve *r = o->r, *w = o->w;
+    const double *restrict rs = r->slope, *restrict e = r->along, *restrict e1 = r->along_y, *restrict k = r->bend, *restrict k1 = r->bend_y;
+    const double *restrict at = r->at, *restrict ws = w->slope + o->off, *restrict X = w->along + o->off, *restrict X1 = w->along_y + o->off;
+    const double *restrict b = w->bend + o->off, *restrict b1 = w->bend_y + o->off, reach = r->reach;
+
+    for (int64_t i = o->lo; i <= o->hi; i++) {
+        double q = within((b[i] * (X[i] - at[i]) - e[i]) / (b[i] + k[i]), X[i] - reach, X[i] + reach), behind = at[i] + q - X[i];
+        d[i - o->lo] = rs[i] - ws[i] + q * (e1[i] + 0.5 * k1[i] * q) + 0.5 * b1[i] * behind * behind + (e[i] + k[i] * q) * X1[i];
+    }
+}
+
 static void gap_slopes(const struct overlap *o, double *restrict d)
 {
     const double *rs = o->r->slope, *ws = o->w->slope + o->off;
 
-    for (int64_t i = o->lo; i <= o->hi; i++)
-        d[i] = rs[i] - ws[i];
-    for (int64_t i = o->lo; i <= o->hi && !o->r->level; i++)
-        d[i] = gap_slope(o, i);
-}
-
-double gap_node(const struct gap_curve *rail, const struct gap_curve *wheel, int64_t i, int64_t j)
-{
-    double x;
-
-    return rail->z[i] - wheel->z[j] + (rail->level ? 0 : nearest(rail->along[i], rail->bend[i], wheel->along[j], wheel->bend[j], &x));
+    if (!o->r->level)
+        gap_slopes_fall(o, d);
+    for (int64_t i = o->lo; i <= o->hi && o->r->level; i++)
+        d[i - o->lo] = rs[i] - ws[i];
 }
 
 static double gap_height(const struct overlap *o, int64_t i)
 {
-    return gap_node(o->r, o->w, i, i + o->off);
+    double q;
+
+    return o->r->z[i] - o->w->z[i + o->off] + (o->r->level ? 0 : nearest(o, i, &q));
+}
+
+double gap_node(const struct gap_curve *rail, const struct gap_curve *wheel, int64_t i, int64_t j)
+{
+    return gap_height(&(struct overlap){.r = rail, .w = wheel, .off = j - i}, i);
+}
+
+/* The rail where the wheel is nearest to it in the plane of node i. */
+struct touch { double x, z, slope, fall; };
+
+static struct touch touch_at(const struct overlap *o, int64_t i)
+{
+    const struct gap_curve *r = o->r;
+    double q = 0;
+
+    if (r->level)
+        return (struct touch){o->w->along[i + o->off], r->z[i], r->slope[i], 0};
+    nearest(o, i, &q);
+    return (struct touch){r->at[i] + q, r->z[i] + q * (r->along[i] + 0.5 * r->bend[i] * q),
+                          r->slope[i] + q * (r->along_y[i] + 0.5 * r->bend_y[i] * q), r->along[i] + r->bend[i] * q};
 }
 
 static double between(const double *a, double t)
@@ -161,23 +212,20 @@ static double between(const double *a, double t)
     return t > 0 ? a[0] + t * (a[1] - a[0]) : a[0];
 }
 
-/* The minimum at t of the cell from node i on, or at the node itself; d are the gap's slopes. */
+/* The minimum at t of the cell from node i on, or at the node itself; d are the gap's slopes at both nodes. */
 static struct gap_minimum minimum_at(const struct overlap *o, const double *d, int64_t i, double step, double t)
 {
-    const struct gap_curve *r = o->r, *w = o->w;
-    struct hermite rail = {r->z[i], r->slope[i]}, gap = {gap_height(o, i), d[i]};
+    struct touch a = touch_at(o, i), b = t > 0 ? touch_at(o, i + 1) : a;
+    struct hermite rail = {a.z, a.slope}, gap = {gap_height(o, i), d[0]};
     int64_t j = i + o->off;
 
     if (t > 0) {
-        rail = hermite_at(r->z[i], r->slope[i], r->z[i + 1], r->slope[i + 1], step, t);
-        gap = hermite_at(gap.z, d[i], gap_height(o, i + 1), d[i + 1], step, t);
+        rail = hermite_at(a.z, a.slope, b.z, b.slope, step, t);
+        gap = hermite_at(gap.z, d[0], gap_height(o, i + 1), d[1], step, t);
     }
-    double e = between(r->along + i, t), k = between(r->bend + i, t), x;
-    nearest(e, k, between(w->along + j, t), between(w->bend + j, t), &x);
     return (struct gap_minimum){
-        .y = ((double)(r->first + i) + t) * step, .gap = gap.z, .x = x, .z = rail.z + x * (e + 0.5 * k * x),
-        .slope = rail.slope + x * (r->along_y[i] + 0.5 * r->bend_y[i] * x), .fall = e + k * x,
-        .rail_k = between(r->k + i, t), .wheel_k = between(w->k + j, t),
+        .y = ((double)(o->r->first + i) + t) * step, .gap = gap.z, .x = a.x + t * (b.x - a.x), .z = rail.z, .slope = rail.slope,
+        .fall = a.fall + t * (b.fall - a.fall), .rail_k = between(o->r->k + i, t), .wheel_k = between(o->w->k + j, t),
     };
 }
 
@@ -185,7 +233,7 @@ static struct gap_minimum minimum_at_end(const struct overlap *o, const double *
 {
     struct gap_minimum m = minimum_at(o, d, i, step, 0);
 
-    m.slope -= d[i];
+    m.slope -= d[0];
     m.end = 1;
     return m;
 }
@@ -207,13 +255,13 @@ int gap_minima(const struct gap_search *s, const struct gap_curve *rail, const s
         one = minimum_at_end(&o, d, 0, s->step);
         n = keep(m, n, most, s->apart, &one);
     }
-    for (int64_t i = o.lo; i < o.hi; i++)
-        if (d[i] < 0 && d[i + 1] >= 0) {
-            double t = least(gap_height(&o, i), gap_height(&o, i + 1), s->step * d[i], s->step * d[i + 1]);
+    for (int64_t i = o.lo; i < o.hi; i++, d++)
+        if (d[0] < 0 && d[1] >= 0) {
+            double t = least(gap_height(&o, i), gap_height(&o, i + 1), s->step * d[0], s->step * d[1]);
             one = minimum_at(&o, d, i, s->step, t);
             n = keep(m, n, most, s->apart, &one);
         }
-    if (ends & GAP_RIGHT_END && o.hi == rail->n - 1 && d[o.hi] < 0) {
+    if (ends & GAP_RIGHT_END && o.hi == rail->n - 1 && d[0] < 0) {
         one = minimum_at_end(&o, d, o.hi, s->step);
         n = keep(m, n, most, s->apart, &one);
     }
@@ -229,8 +277,10 @@ int gap_at(const struct gap_pair *pair, double y, struct gap_place *p)
 
     if (!(at >= 0) || i > rail->n - 2 || j < 0 || j > wheel->n - 2)
         return 0;
-    double t = at - (double)i, d0 = gap_slope(&o, i), d1 = gap_slope(&o, i + 1);
-    struct hermite gap = hermite_at(gap_height(&o, i), d0, gap_height(&o, i + 1), d1, step, t);
+    double t = at - (double)i, d[2];
+    o.lo = i, o.hi = i + 1;
+    gap_slopes(&o, d);
+    struct hermite gap = hermite_at(gap_height(&o, i), d[0], gap_height(&o, i + 1), d[1], step, t);
     struct hermite z = hermite_at(rail->z[i], rail->slope[i], rail->z[i + 1], rail->slope[i + 1], step, t);
     *p = (struct gap_place){.gap = gap.z, .z = z.z, .slope = gap.slope, .rail = z.slope,
                              .bend = between(rail->bend + i, t) + between(wheel->bend + j, t)};

@@ -1,12 +1,14 @@
 /* Local minima of the gap between a rail and a wheel, both tabulated on one even lateral grid.
  *
- * y to the right, z down, x forward from the section.  The rail's surface is z_r(y) + e(y) x + k(y) x^2/2, e its fall and k its
- * bend along the track; the wheel's near its silhouette z_w(y), which lies at x = X(y), is z_w - b(y) (x - X)^2/2.  In each plane
- * y = const they come nearest at
+ * y to the right, z down, x forward from the section.  The rail's surface near x = x_t(y) is z_r(y) + e(y) q + k(y) q^2/2, q = x - x_t, e
+ * its fall and k its bend along the track; the wheel's near its silhouette z_w(y), which lies at x = X(y), is
+ * z_w - b(y) (x - X)^2/2.  In each plane y = const they come nearest at
  *
- *     x = (b X - e)/(b + k),    gap(y) = z_r - z_w + e x + k x^2/2 + b (x - X)^2/2
+ *     q = (b (X - x_t) - e)/(b + k),    gap(y) = z_r - z_w + e q + k q^2/2 + b (x_t + q - X)^2/2
  *
- * A wheel whose running circle hangs at height H touches where gap(y) = H, and touches first where that is smallest.  Node j of the grid is y = j step, so u that is a multiple of the step shifts by whole nodes. */
+ * where q stays within X +- reach, as far as the rail is known to run so.  A wheel whose running circle hangs at height H touches where
+ * gap(y) = H, and touches first where that is smallest.  Node j of the grid is y = j step, so u that is a multiple of the step
+ * shifts by whole nodes. */
 #ifndef VX_CONTACT_GAP_H
 #define VX_CONTACT_GAP_H
 
@@ -28,10 +30,12 @@ struct gap_curve {
     double *z, *slope, *k;   /* as above [n] */
     double *along, *along_y; /* e or X, and its derivative by y [n] */
     double *bend, *bend_y;   /* k or b, the same [n] */
-    int level;               /* along and bend are 0 everywhere */
+    double *at;              /* m [n] rail: x_t; a wheel's is not read */
+    double reach;            /* m, rail */
+    int level;               /* along and at are 0 everywhere */
 };
 
-enum { GAP_ARRAYS = 7 };     /* of n doubles in a gap_curve */
+enum { GAP_ARRAYS = 8 };     /* of n doubles in a gap_curve */
 
 enum { GAP_LEFT_END = 1, GAP_RIGHT_END = 2 };
 
@@ -40,7 +44,7 @@ struct gap_minimum {
     double gap;              /* m */
     double x;                /* m, ahead of the section */
     double z, slope;         /* m, 1, of the rail there, at x; the wheel's slope at an end of the rail */
-    double fall;             /* 1, of the rail there, e + k x */
+    double fall;             /* 1, of the rail there, e + k q */
     double rail_k, wheel_k;  /* 1/m, as handed through */
     int end;                 /* the end of the rail's polyline, not a smooth minimum */
 };
@@ -51,6 +55,10 @@ int64_t gap_nodes(const double *y, int64_t n, double step);
 /* The line by cubic Hermite on the grid, into arrays of c with room for gap_nodes.  Only pieces of increasing y count; where pieces
  * overlap the lowest (greatest z) is kept. */
 void gap_tabulate(const struct gap_line *line, double step, struct gap_curve *c);
+
+/* Takes over from `from`, the curve of a section x (m) further on, the nodes at which a wheel that stands over this section, of bend b
+ * (1/m), is nearer to that one. */
+void gap_join(struct gap_curve *c, const struct gap_curve *from, double x, double b);
 
 struct gap_search {
     double step;             /* m, of the grid */

@@ -10,7 +10,10 @@
 #define APART 4e-3            /* m: nearer minima on one body are one patch (D_COMB of CONTACT, Vollebregt 2022) */
 #define WITHIN 8e-3           /* m: a contact further above the first is left out; no approach is that large */
 #define CROWN_LEAST 1.0       /* 1/m: flatter, z_yy says nothing of how a surface runs along the track */
-#define FALL_MOST 0.1         /* what falls more steeply along the track would meet a wheel 50 mm from the section, where it says little */
+#define ALONG_MOST 0.03       /* m from a section the wheel is looked for on those before and behind, which are */
+#define NEXT_MOST 0.012       /* m from one to the next at most */
+#define SHARE 0.6             /* of the distance to the next section, that a section's fall speaks for */
+#define ALONE 0.02           /* m along the track that it speaks for where none is that near */
 #define BESIDE 1e-3           /* m beyond its end another body must reach for the end not to count */
 
 /* A rail's surface is taken as developable, swept along straight lines as a wing rail that runs aslant is: z_xx z_yy = z_xy^2 gives its bend
@@ -20,7 +23,7 @@ static void line_bend(struct gap_line *o)
     for (int64_t i = 0; i < o->n; i++) {
         int64_t a = i > 0 ? i - 1 : 0, b = i < o->n - 1 ? i + 1 : i;
         double across = (o->along[b] - o->along[a]) / (o->y[b] - o->y[a]);
-        double second = o->k[i] * pow(1 + o->slope[i] * o->slope[i], 1.5);
+        double t2 = 1 + o->slope[i] * o->slope[i], second = o->k[i] * t2 * sqrt(t2);
         o->bend[i] = across * across / fmax(second, CROWN_LEAST);
     }
 }
@@ -39,9 +42,6 @@ static void poly_copy(const struct prof *p, int64_t poly, int mirror, struct gap
         o->along[i] = p->fall[j];
     }
     line_bend(o);
-    for (int64_t i = 0; i < o->n; i++)
-        if (fabs(o->along[i]) > FALL_MOST)
-            o->y[i] = (double)NAN;                                /* the flank of a wing rail that runs aslant, the tip of a nose */
 }
 
 static int64_t longest(const struct prof *p)
@@ -69,7 +69,7 @@ static int64_t widest(const struct prof *p, double step)
 static struct gap_curve curve_at(double *at, int64_t n)
 {
     return (struct gap_curve){.z = at, .slope = at + n, .k = at + 2 * n, .along = at + 3 * n, .along_y = at + 4 * n,
-                              .bend = at + 5 * n, .bend_y = at + 6 * n};
+                              .bend = at + 5 * n, .bend_y = at + 6 * n, .at = at + 7 * n};
 }
 
 static struct gap_line line_at(double *at, int64_t n)
@@ -80,7 +80,7 @@ static struct gap_line line_at(double *at, int64_t n)
 static const char *search_room(struct search *s, int64_t points, int64_t rail_nodes, int64_t wheel_nodes, int64_t yaws)
 {
     double *line = room_take(&s->store, 2 * GAP_ARRAYS * points, sizeof *line);
-    double *rail = room_take(&s->store, SEARCH_BODIES * GAP_ARRAYS * rail_nodes, sizeof *rail);
+    double *rail = room_take(&s->store, (SEARCH_BODIES + SEARCH_KEPT) * GAP_ARRAYS * rail_nodes, sizeof *rail);
     double *wheel = room_take(&s->store, yaws * GAP_ARRAYS * wheel_nodes, sizeof *wheel);
 
     s->wheel = room_take(&s->store, yaws, sizeof *s->wheel);
@@ -92,6 +92,8 @@ static const char *search_room(struct search *s, int64_t points, int64_t rail_no
     s->silhouette = line_at(line + GAP_ARRAYS * points, points);
     for (int64_t i = 0; i < SEARCH_BODIES; i++)
         s->rail[i] = curve_at(rail + i * GAP_ARRAYS * rail_nodes, rail_nodes);
+    for (int64_t i = 0; i < SEARCH_KEPT; i++)
+        s->kept[i].curve = curve_at(rail + (SEARCH_BODIES + i) * GAP_ARRAYS * rail_nodes, rail_nodes);
     for (int64_t i = 0; i < yaws; i++)
         s->wheel[i] = curve_at(wheel + i * GAP_ARRAYS * wheel_nodes, wheel_nodes);
     return NULL;
@@ -107,7 +109,7 @@ static const char *silhouette_make(struct search *s, double radius, double yaw, 
     const char *why = NULL;
 
     o->n = w.n;
-    if (s->method == SEARCH_SILHOUETTE)
+    if (s->method != SEARCH_THESIS)
         locus_silhouette(&w, yaw, &l);
     else if (!(why = thesis_section(&w, yaw, cut)))
         thesis_profile(&w, yaw, cut, &l);
@@ -119,7 +121,7 @@ static const char *silhouette_make(struct search *s, double radius, double yaw, 
 }
 
 const char *search_begin(struct search *s, const struct prof *wheel, const struct prof *rail, const double *yaw, int64_t yaws,
-                         enum search_wheel method, double step)
+                         enum search_method method, double step)
 {
     /* Yaw narrows a silhouette, but moves points of slope up to 1/tan(yaw) by r0 tan(yaw) at most. */
     int64_t spare = (int64_t)ceil(2 * wheel->radius * yaw[yaws - 1] / step);
@@ -127,7 +129,7 @@ const char *search_begin(struct search *s, const struct prof *wheel, const struc
     int64_t wheel_nodes = widest(wheel, step) + 2 * spare;
     const char *why;
 
-    *s = (struct search){.mirror = wheel->side == 'l', .method = method, .gap = {.step = step, .apart = APART}};
+    *s = (struct search){.mirror = wheel->side == 'l', .method = method, .radius = wheel->radius, .gap = {.step = step, .apart = APART}};
     s->wheel_position = s->mirror ? -wheel->position : wheel->position;
     s->rail_position = s->mirror ? -rail->position : rail->position;
     if ((why = search_room(s, points, widest(rail, step), wheel_nodes, yaws)))
@@ -157,6 +159,59 @@ static int covered(const struct prof *p, int64_t section, int64_t poly, double y
     return 0;
 }
 
+/* The polyline of poly's body in the next section that way, or -1. */
+static int64_t poly_next(const struct prof *p, int64_t poly, int way)
+{
+    int64_t section = p->poly_section[poly] + way;
+
+    for (int64_t i = poly + way; i >= 0 && i < p->polys && (p->poly_section[i] - section) * way <= 0; i += way)
+        if (p->poly_section[i] == section && p->poly_body[i] == p->poly_body[poly])
+            return i;
+    return -1;
+}
+
+/* A polyline on the grid, from the cache or into it. */
+static const struct gap_curve *poly_curve(struct search *s, const struct prof *p, int64_t poly)
+{
+    struct search_kept *k = &s->kept[poly % SEARCH_KEPT];
+
+    if (k->poly != poly + 1) {
+        poly_copy(p, poly, s->mirror, &s->line);
+        gap_tabulate(&s->line, s->gap.step, &k->curve);
+        k->poly = poly + 1;
+    }
+    return &k->curve;
+}
+
+/* Joins to c the sections of its body that lie near, one way along the track. */
+static void body_join(struct search *s, const struct prof *p, int64_t poly, int way, struct gap_curve *c)
+{
+    double here = p->station[p->poly_section[poly]], last = here;
+
+    for (int64_t i = poly_next(p, poly, way); i >= 0; i = poly_next(p, i, way)) {
+        double there = p->station[p->poly_section[i]], next = fabs(there - last);
+        if (next > NEXT_MOST || fabs(there - here) > ALONG_MOST)
+            return;
+        c->reach = fmin(c->reach, SHARE * next);
+        gap_join(c, poly_curve(s, p, i), there - here, 1 / s->radius);
+        last = there;
+    }
+}
+
+/* A body of a section on the grid: as it is there, or as far as the wheel can feel it before and behind. */
+static void body_tabulate(struct search *s, const struct prof *p, int64_t poly, struct gap_curve *c)
+{
+    poly_copy(p, poly, s->mirror, &s->line);
+    for (int64_t i = 0; i < s->line.n && s->method != SEARCH_EXACT; i++)
+        s->line.along[i] = s->line.bend[i] = 0;
+    gap_tabulate(&s->line, s->gap.step, c);
+    c->reach = ALONE;
+    if (s->method != SEARCH_EXACT)
+        return;
+    body_join(s, p, poly, -1, c);
+    body_join(s, p, poly, 1, c);
+}
+
 const char *search_section(struct search *s, const struct prof *p, int64_t section)
 {
     s->bodies = 0;
@@ -167,10 +222,9 @@ const char *search_section(struct search *s, const struct prof *p, int64_t secti
             return reason("section %lld has more than %d bodies", (long long)section, SEARCH_BODIES);
         int low = covered(p, section, i, p->y[p->poly_first[i]] - BESIDE) ? 0 : s->mirror ? GAP_RIGHT_END : GAP_LEFT_END;
         int high = covered(p, section, i, p->y[p->poly_first[i + 1] - 1] + BESIDE) ? 0 : s->mirror ? GAP_LEFT_END : GAP_RIGHT_END;
-        poly_copy(p, i, s->mirror, &s->line);
         s->body[s->bodies] = (int)p->poly_body[i];
         s->ends[s->bodies] = low | high;
-        gap_tabulate(&s->line, s->gap.step, &s->rail[s->bodies++]);
+        body_tabulate(s, p, i, &s->rail[s->bodies++]);
     }
     return NULL;
 }

@@ -9,9 +9,10 @@
 #include "tools/contact/locus.h"
 #include "tools/contact/thesis.h"
 
-enum search_wheel { SEARCH_SILHOUETTE, SEARCH_THESIS };
+/* Sections as they are, the wheel orthogonal or turned after thesis.h; or silhouettes, and rails that fall along the track. */
+enum search_method { SEARCH_PLANE, SEARCH_THESIS, SEARCH_EXACT };
 
-enum { SEARCH_MOST = 8, SEARCH_BODY_MOST = 3, SEARCH_BODIES = 8 };
+enum { SEARCH_MOST = 8, SEARCH_BODY_MOST = 3, SEARCH_BODIES = 8, SEARCH_KEPT = 64 };
 
 struct search {
     int mirror;                              /* the profiles are those of a left side */
@@ -20,10 +21,15 @@ struct search {
     void *store;
     struct gap_line line;                    /* room for the longest polyline */
     struct gap_line silhouette;              /* room for the wheel's */
-    enum search_wheel method;
+    enum search_method method;
+    double radius;                           /* m, of the wheel */
     struct thesis_cut *cut;                  /* [yaws] by SEARCH_THESIS */
     struct gap_curve *wheel;                 /* [yaws] y from the rail's origin */
     struct gap_curve rail[SEARCH_BODIES];
+    struct search_kept {                     /* curves of sections nearby, tabulated once */
+        int64_t poly;                        /* 1 + number of the polyline, 0 none yet */
+        struct gap_curve curve;
+    } kept[SEARCH_KEPT];
     int body[SEARCH_BODIES], ends[SEARCH_BODIES], bodies;
 };
 
@@ -36,7 +42,7 @@ struct search_contact {
 
 /* Tabulates the silhouettes, or profiles as of thesis.h, for yaw[yaws] (rad, even about 0); to be released by search_free, also after a failure. */
 const char *search_begin(struct search *s, const struct prof *wheel, const struct prof *rail, const double *yaw, int64_t yaws,
-                         enum search_wheel method, double step);
+                         enum search_method method, double step);
 void search_free(struct search *s);
 
 /* Tabulates the rail bodies of a section. */

@@ -164,7 +164,7 @@ const char *table_fill(struct ctab *t, const struct prof *wheel, const struct pr
         strip_law(g.shear_modulus, g.poisson, &f.law);
     memcpy(t->yaw_method, name[method], strlen(name[method]));
     if (!(why = axes_room(&f, rail, &g)))
-        why = search_begin(&f.search, wheel, rail, t->yaw, t->yaws, method == TABLE_THESIS ? SEARCH_THESIS : SEARCH_SILHOUETTE, g.u_step);
+        why = search_begin(&f.search, wheel, rail, t->yaw, t->yaws, (enum search_method)method, g.u_step);
     for (int64_t is = 0; !why && is < t->stations; is++) {
         why = search_section(&f.search, rail, is);
         for (int64_t iy = 0; !why && iy < t->yaws; iy++)
