@@ -128,7 +128,7 @@ static void test_order(void)
 /* fall is dz/dx of the surface itself. */
 static void test_fall(void)
 {
-    struct measured m = moving(0.05);
+    struct measured m = moving(0.025);
     double worst = 0, dx = 1e-3;      /* far enough for the points of the outlines not to show */
 
     for (double s = 0.03; s < 0.97; s += 0.047) {

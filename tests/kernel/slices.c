@@ -30,7 +30,8 @@ static void test_list(void)
         return;
     near(s.station[0], -0.5, 1e-15, "station: scale times (offset + u)");
     near(s.station[1], 0.75, 1e-15, "the next");
-    ok(strcmp(s.file[0], "/tmp/a/b 1.prr") == 0 && strcmp(s.file[1], "/tmp/c%.txt") == 0, "names count from the folder of the list, and keep blanks and comment marks");
+    ok(strcmp(s.file[0], "/tmp/a/b 1.prr") == 0 && strcmp(s.file[1], "/tmp/c%.txt") == 0,
+       "names count from the folder of the list, and keep blanks and comment marks");
     ok(s.feature[0] < 0 && s.feature[1] == 0, "a feature that is not there is negative");
     near(s.feature[5], 0.999, 1e-15, "features go on over lines, in mm");
     slices_free(&s);

@@ -36,12 +36,16 @@ void link_make(const struct piece *a, const struct piece *b, struct loft_link *l
     if (l->n == 0)
         knot_put(l, 0, a->from, b->from);
     double la = l->a[0] - a->from, lb = l->b[0] - b->from, shorter = fmin(la, lb);
-    if (shorter > 0)
-        alike(la, lb, END_GROWTH, END_LEAST) ? knot_put(l, 0, a->from, b->from) : knot_put(l, 0, l->a[0] - shorter, l->b[0] - shorter);
-    la = a->to - l->a[l->n - 1], lb = b->to - l->b[l->n - 1], shorter = fmin(la, lb);
-    if (shorter > 0)
-        alike(la, lb, END_GROWTH, END_LEAST) ? knot_put(l, l->n, a->to, b->to)
-                                             : knot_put(l, l->n, l->a[l->n - 1] + shorter, l->b[l->n - 1] + shorter);
+    if (shorter > 0 && !a->cut[0] && !b->cut[0] && alike(la, lb, END_GROWTH, END_LEAST))
+        knot_put(l, 0, a->from, b->from);
+    else if (shorter > 0)
+        knot_put(l, 0, l->a[0] - shorter, l->b[0] - shorter);
+    int last = l->n - 1;
+    la = a->to - l->a[last], lb = b->to - l->b[last], shorter = fmin(la, lb);
+    if (shorter > 0 && !a->cut[1] && !b->cut[1] && alike(la, lb, END_GROWTH, END_LEAST))
+        knot_put(l, l->n, a->to, b->to);
+    else if (shorter > 0)
+        knot_put(l, l->n, l->a[last] + shorter, l->b[last] + shorter);
 }
 
 double link_map(int n, const double *from, const double *to, double at)

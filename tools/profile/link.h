@@ -4,8 +4,8 @@
 
 #include "tools/profile/loft.h"
 
-/* Joined at the features that both pieces have at like distances.  Ends are joined where they lie about as far from the last feature;
- * where one piece reaches further, as far as the shorter one goes. */
+/* Joined at the features that both pieces have at like distances.  Ends that are not cut are joined where they lie about as far from the
+ * last feature; else the link goes as far from there as the shorter piece. */
 void link_make(const struct piece *a, const struct piece *b, struct loft_link *link);
 
 /* to at `from`, by a table from[n], to[n]; NAN beyond it. */

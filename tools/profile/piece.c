@@ -18,7 +18,7 @@ static void point_at(const struct curve *c, double s, double *y, double *z)
     *z = f[0];
 }
 
-static void piece_end(const struct curve *c, const struct curve *shape, double from, double to, struct piece *p)
+static void piece_make(const struct curve *c, const struct curve *shape, double from, double to, struct piece *p)
 {
     double y, z;
 
@@ -48,8 +48,11 @@ int piece_cut(const struct curve *c, const struct curve *shape, double from, dou
             begin = crossing;
         if (!isnan(begin) && (z > deepest || i == steps)) {
             double end = z > deepest ? crossing : to;
-            if (end - begin > SHORTEST && n < PIECES_MOST)
-                piece_end(c, shape, begin, end, &piece[n++]);
+            if (end - begin > SHORTEST && n < PIECES_MOST) {
+                piece_make(c, shape, begin, end, &piece[n]);
+                piece[n].cut[0] = begin > from;
+                piece[n++].cut[1] = end < to;
+            }
             begin = NAN;
         }
         before = z;

@@ -11,6 +11,7 @@ enum { PIECE_FEATURES = 32, PIECES_MOST = 8 };
 
 struct piece {
     double from, to;                      /* m, along the curve */
+    int cut[2];                           /* an end is where the surface gets too deep, not where the polyline or a feature ends */
     double y_least, y_most;               /* m */
     int features;
     double feature[PIECE_FEATURES];       /* m, along the curve, inside the piece and increasing; NAN where not there */
