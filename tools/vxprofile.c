@@ -52,7 +52,7 @@ static const struct cli_option options[] = {
 
 static const struct cli_program program = {
     .name = "vxprofile",
-    .purpose = "Make the cross-sections of a wheel, a rail or a turnout.",
+    .purpose = "Make the cross-sections of a wheel, a rail or a turnout, or of rails measured along the track.",
     .usage = usage,
     .option = options,
 };
