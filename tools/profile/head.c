@@ -9,7 +9,7 @@
 #include "tools/profile/opening.h"
 #include "tools/profile/resample.h"
 
-#define STEP 2.5e-5          /* m, of y while cutting, about */
+#define STEP 2.5e-5          /* m, of y while cutting */
 #define CROWN_SLOPE 0.2      /* the crown of a head is where it is flatter: beyond, the parabola that continues it */
 #define ROUND_SHARE 0.4      /* largest edge radius, of the width */
 #define THINNEST 1e-3        /* m */
@@ -45,14 +45,8 @@ static double crown_height(const struct outline *o, double y)
     return d >= 0 ? outline_height(o, y) : o->z[i] + d * (o->slope[i] + d * second / 2);
 }
 
-/* Steps of which a radius is a whole number, so that a head changes with its dimensions as smoothly as they do. */
-static double head_step(double r)
-{
-    return r / ceil(r / STEP);
-}
-
-/* z[n] every `step` from y on becomes a smooth outline; what lies deeper than the rail's outline is left out. */
-static const char *head_outline(int64_t n, double y, double step, const double *z, double depth, const struct head_options *o,
+/* z[n] from y on becomes a smooth outline; what lies deeper than the rail's outline is left out. */
+static const char *head_outline(int64_t n, double y, const double *z, double depth, const struct head_options *o,
                                 double r, struct outline *out)
 {
     struct points p = {0};
@@ -63,7 +57,7 @@ static const char *head_outline(int64_t n, double y, double step, const double *
 
     for (int64_t i = 0; !why && i < n; i++)
         if (z[i] <= depth)
-            why = points_add(&p, &room, y + (double)i * step, z[i], 1);
+            why = points_add(&p, &room, y + (double)i * STEP, z[i], 1);
     if (!why && !(why = clean_points(&p, &count)) && !(why = curve_fit(&curve, &p, fmin(o->smoothing, 2 * r))))
         if (!(why = resample_curve(&curve, o->spacing, out)))
             why = clean_outline(out);
@@ -86,18 +80,17 @@ const char *head_blade(const struct section *rail, double thickness, double lowe
     if ((why = gauge_face(plain, fmin(lowering + r, depth), &face)))
         return why;
     face = fmin(face, rail->gauge_face);
-    double back = face + thickness, high = crown_height(plain, fmin(back, 0)), step = head_step(r);
-    int64_t n = (int64_t)((back - from) / step) + 1;
+    double back = face + thickness, high = crown_height(plain, fmin(back, 0));
+    int64_t n = (int64_t)((back - from) / STEP) + 1;
     double *z = calloc((size_t)n * 3, sizeof *z);
     if (!z)
         return REASON_MEMORY;
-    from = back - (double)(n - 1) * step;         /* the last column stands at the back */
     for (int64_t i = 0; i < n; i++) {
-        double y = from + (double)i * step;
+        double y = from + (double)i * STEP;
         z[i] = fmax(outline_height(plain, y), lowering - high + crown_height(plain, y));
     }
-    opening_round(n, step, r, z, z + n);
-    why = head_outline(n, from, step, z, depth, o, r, blade);
+    opening_round(n, STEP, back - from, r, z, z + n);
+    why = head_outline(n, from, z, depth, o, r, blade);
     free(z);
     return why;
 }
@@ -114,8 +107,8 @@ const char *head_wing(const struct section *rail, double share, const struct hea
                       struct outline *wing)
 {
     const struct outline *plain = &rail->outline;
-    double from = plain->y[0] - BESIDE, y_level = rail->gauge_face + top->level, step = head_step(o->edge_radius);
-    int64_t highest = 0, n = (int64_t)((plain->y[plain->n - 1] + BESIDE - from) / step) + 1;
+    double from = plain->y[0] - BESIDE, y_level = rail->gauge_face + top->level;
+    int64_t highest = 0, n = (int64_t)((plain->y[plain->n - 1] + BESIDE - from) / STEP) + 1;
 
     *wing = (struct outline){0};
     for (int64_t i = 1; i < plain->n; i++)
@@ -128,11 +121,11 @@ const char *head_wing(const struct section *rail, double share, const struct hea
     if (!z)
         return REASON_MEMORY;
     for (int64_t i = 0; i < n; i++)
-        z[i] = wing_height(plain, from + (double)i * step, plain->y[highest], y_level, top->crown_radius);
-    opening_round(n, step, o->edge_radius, z, z + n);
+        z[i] = wing_height(plain, from + (double)i * STEP, plain->y[highest], y_level, top->crown_radius);
+    opening_round(n, STEP, INFINITY, o->edge_radius, z, z + n);
     for (int64_t i = 0; i < n; i++)
-        z[i] = share * z[i] + (1 - share) * outline_height(plain, from + (double)i * step);
-    const char *why = head_outline(n, from, step, z, plain->z[0], o, o->edge_radius, wing);
+        z[i] = share * z[i] + (1 - share) * outline_height(plain, from + (double)i * STEP);
+    const char *why = head_outline(n, from, z, plain->z[0], o, o->edge_radius, wing);
     free(z);
     return why;
 }
@@ -146,20 +139,20 @@ const char *head_nose(const struct section *rail, double width, double lowering,
     *nose = (struct outline){0};
     if (width < THINNEST)
         return reason("a nose %.3g mm wide is too thin to cut, at least %g mm", 1e3 * width, 1e3 * THINNEST);
-    double mirror = 2 * rail->gauge_face + width, high = crown_height(plain, mirror / 2), step = head_step(r);
-    int64_t n = (int64_t)((mirror - 2 * from) / step) + 1;
+    double mirror = 2 * rail->gauge_face + width, high = crown_height(plain, mirror / 2);
+    int64_t n = (int64_t)((mirror - 2 * from) / STEP) + 1;
     double *z = calloc((size_t)n * 3, sizeof *z);
 
     if (!z)
         return REASON_MEMORY;
     for (int64_t i = 0; i < n; i++) {
-        double y = from + (double)i * step, other = mirror - y;
+        double y = from + (double)i * STEP, other = mirror - y;
         double head = fmax(outline_height(plain, y), outline_height(plain, other));
         double crown = fmax(crown_height(plain, y), crown_height(plain, other));
         z[i] = fmax(head, lowering - high + crown);
     }
-    opening_round(n, step, r, z, z + n);
-    const char *why = head_outline(n, from, step, z, depth, o, r, nose);
+    opening_round(n, STEP, INFINITY, r, z, z + n);
+    const char *why = head_outline(n, from, z, depth, o, r, nose);
     free(z);
     return why;
 }

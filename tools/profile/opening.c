@@ -1,11 +1,17 @@
-/* With the disc's half height d_k = sqrt(r^2 - (k step)^2), the free centres and then the edge of the discs around them are
+/* With d(y) = sqrt(r^2 - y^2), the free centres and then the edge of the discs around them are
  *
- *     c_i = max_k (z_{i+k} + d_k),   z_i <- min_k (c_{i+k} - d_k),   |k step| <= r.
+ *     c(y) = max_k (z_k + d(y - y_k)),   z(y) <- min_c (c - d(y - y_c)).
  *
- * The loops run over the columns inside, so that they need no order of sums and go through lanes. */
+ * The loops run over the columns inside, so that they need no order of sums and go through lanes.  Where c has a kink a disc touches two
+ * surfaces and rounds their edge: it is found between the columns by the arms to either side. */
 #include "tools/profile/opening.h"
 
 #include <math.h>
+
+#define KINK 0.05            /* rad, between the arms */
+#define KINKS 8              /* most, and one at the wall */
+
+struct centre { double y, z; };
 
 /* a_i := max(a_i, b_{i+k} + d), i = first .. end - 1 */
 static void columns_lower(int64_t first, int64_t end, int64_t k, double d, const double *restrict b, double *restrict a)
@@ -25,20 +31,67 @@ static void columns_raise(int64_t first, int64_t end, int64_t k, double d, const
     }
 }
 
-void opening_round(int64_t n, double step, double r, double *z, double *work)
+/* The columns under or above a disc at y. */
+static void disc_columns(int64_t n, double step, double r, double y, int64_t *first, int64_t *end)
 {
-    int64_t m = (int64_t)(r / step * (1 + 1e-12));
-    double *centre = work, *disc = work + n;
+    *first = (int64_t)fmax(ceil((y - r) / step), 0);
+    *end = (int64_t)fmin(floor((y + r) / step) + 1, (double)n);
+}
+
+static double half_height(double r, double d)
+{
+    return sqrt(fmax(r * r - d * d, 0));
+}
+
+static struct centre centre_at(int64_t n, double step, double r, const double *z, double y)
+{
+    struct centre c = {y, -INFINITY};
+    int64_t first, end;
+
+    disc_columns(n, step, r, y, &first, &end);
+    for (int64_t i = first; i < end; i++)
+        c.z = fmax(c.z, z[i] + half_height(r, (double)i * step - y));
+    return c;
+}
+
+/* Where the arms of c[n] meet within a step, first .. last; and at the wall. */
+static int centres_between(int64_t n, double step, double wall, double r, const double *z, const double *c, int64_t first, int64_t last,
+                           struct centre *found)
+{
+    int count = 0;
+
+    for (int64_t i = first + 1; i + 2 <= last && count < KINKS; i++) {
+        double before = c[i] - c[i - 1], after = c[i + 2] - c[i + 1], t = (c[i] - c[i + 1] + after) / (after - before);
+        if (atan(after / step) - atan(before / step) > KINK && t >= 0 && t <= 1)
+            found[count++] = centre_at(n, step, r, z, ((double)i + t) * step);
+    }
+    if (last * step < wall - r && wall - r < (double)(n - 1) * step)
+        found[count++] = centre_at(n, step, r, z, wall - r);
+    return count;
+}
+
+void opening_round(int64_t n, double step, double wall, double r, double *z, double *work)
+{
+    int64_t m = (int64_t)(r / step), last = (int64_t)floor(fmin((wall - r) / step, (double)(n - 1 - m)));
+    double *c = work, *disc = work + n;
+    struct centre between[KINKS + 1];
 
     m = m < n ? m : n - 1;
     for (int64_t k = 0; k <= m; k++)
-        disc[k] = sqrt(fmax(r * r - (double)(k * k) * step * step, 0));
+        disc[k] = half_height(r, (double)k * step);
     for (int64_t i = 0; i < n; i++)
-        centre[i] = i < m || i >= n - m ? INFINITY : -INFINITY;
+        c[i] = i < m || i > last ? INFINITY : -INFINITY;
     for (int64_t k = -m; k <= m; k++)
-        columns_lower(m, n - m, k, disc[k < 0 ? -k : k], z, centre);
+        columns_lower(m, last + 1, k, disc[k < 0 ? -k : k], z, c);
+    int extra = centres_between(n, step, wall, r, z, c, m, last, between);
     for (int64_t i = 0; i < n; i++)
         z[i] = INFINITY;
     for (int64_t k = -m; k <= m; k++)
-        columns_raise(k < 0 ? -k : 0, k < 0 ? n : n - k, k, disc[k < 0 ? -k : k], centre, z);
+        columns_raise(k < 0 ? -k : 0, k < 0 ? n : n - k, k, disc[k < 0 ? -k : k], c, z);
+    for (int e = 0; e < extra; e++) {
+        int64_t first, end;
+        disc_columns(n, step, r, between[e].y, &first, &end);
+        for (int64_t i = first; i < end; i++)
+            z[i] = fmin(z[i], between[e].z - half_height(r, (double)i * step - between[e].y));
+    }
 }
