@@ -75,18 +75,16 @@ static double fall_at(const struct prof *p, int64_t section, int body, double y)
     return NAN;
 }
 
-/* Section by section: the search sees level rails, path[sections][DISPLACEMENTS]. */
+/* Section by section, path[sections][DISPLACEMENTS]. */
 static void path_search(const struct prof *wheel, const struct prof *rail, struct path *path)
 {
     struct search_contact c[SEARCH_MOST];
     struct search s;
-    struct prof level = *rail;
-    double *zero = calloc((size_t)rail->points, sizeof *zero), yaw = 0;
+    double yaw = 0;
 
-    level.fall = zero;
-    ok(zero && !search_begin(&s, wheel, &level, &yaw, 1, SEARCH_SILHOUETTE, GRID), "the search");
+    ok(!search_begin(&s, wheel, rail, &yaw, 1, SEARCH_PLANE, GRID), "the search");
     for (int64_t i = 0; i < rail->sections; i++) {
-        search_section(&s, &level, i);
+        search_section(&s, rail, i);
         for (int k = 0; k < DISPLACEMENTS; k++, path++) {
             path->touches = search_contacts(&s, 0, lrint(displacement[k] / GRID), c) > 0;
             path->first = c[0];
@@ -94,7 +92,6 @@ static void path_search(const struct prof *wheel, const struct prof *rail, struc
         }
     }
     search_free(&s);
-    free(zero);
 }
 
 /* Height over that of the plain section at u = 0, as published (mm), at every section given. */
