@@ -9,9 +9,6 @@
 
 #include <math.h>
 
-/* 1/m: a flatter gap is taken as this (the floor of the ANALYN method; half-space theory fails before it). */
-#define FLATTEST 0.1
-
 /* K (1), and s of the text above, for axis ratio 0 < k <= 1. */
 static double elliptic(double k, double *s)
 {
@@ -50,8 +47,8 @@ static double axis_ratio(double ratio, double *K, double *s)
 
 void hertz_contact(double A, double B, double G, double nu, struct hertz *h)
 {
-    A = A > FLATTEST ? A : FLATTEST;
-    B = B > FLATTEST ? B : FLATTEST;
+    A = A > HERTZ_FLATTEST ? A : HERTZ_FLATTEST;
+    B = B > HERTZ_FLATTEST ? B : HERTZ_FLATTEST;
 
     double low = A < B ? A : B, high = A < B ? B : A, K, s;
     double k = axis_ratio(high / low, &K, &s);

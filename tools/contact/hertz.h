@@ -5,6 +5,9 @@
 #ifndef VX_CONTACT_HERTZ_H
 #define VX_CONTACT_HERTZ_H
 
+/* 1/m: a flatter or hollow gap is taken as this (the floor of the ANALYN method; half-space theory fails before it). */
+#define HERTZ_FLATTEST 0.1
+
 struct hertz {
     double C;          /* N/m^1.5 */
     double a1, b1;     /* m/N^(1/3) */

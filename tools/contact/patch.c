@@ -10,11 +10,12 @@
 
 #define NEAR 1.5             /* semi-axes to either side that count as the patch */
 #define FAR 0.015            /* m, within which another part of the patch is looked for */
-#define FAR_NODES 3          /* from one look to the next */
-#define NEAR_LOOKS 40        /* about as many looks at the patch */
+#define FAR_NODES 5          /* from one look to the next */
+#define NEAR_LOOKS 30        /* about as many looks at the patch */
 #define OWN 4e-3             /* m: minima further apart are contacts of their own (search.c) */
 #define ALL 0.02             /* m */
 #define OWN_ROWS 48
+#define UPRIGHT 0.2          /* of cos(phi) + s sin(phi): a wheel that rises more steeply from the plane is no part of the patch */
 #define DEEPER 3.0           /* times the depth, where the patch filled the rows */
 
 struct frame {
@@ -47,7 +48,7 @@ static void frame_nodes(const struct frame *f, double reach, int64_t *lo, int64_
     *hi = (int64_t)fmin(floor(at + nodes), (double)last);
 }
 
-/* Gap (m) and place (m) of the rail's node i. */
+/* Gap (m) and place (m) of the rail's node i; NaN where there is none. */
 static double node_gap(const struct frame *f, int64_t i, double *y)
 {
     const struct gap_curve *r = f->p->rail, *w = f->p->wheel;
@@ -55,16 +56,17 @@ static double node_gap(const struct frame *f, int64_t i, double *y)
     double g = gap_node(r, w, i, j) - f->m->gap;
 
     *y = ((double)(r->first + i) * f->p->step - f->m->y) * f->c + (r->z[i] - f->z0) * f->s;
-    return g / (f->c + w->slope[j] * f->s);
+    double turn = f->c + w->slope[j] * f->s;
+    return turn > UPRIGHT ? g / turn : (double)NAN;
 }
 
-/* Sum of |depth - parabola's| from node lo to hi, every `stride`. */
-static double looks(const struct frame *f, int64_t lo, int64_t hi, int64_t stride, double B, double depth)
+/* Sum of |depth - parabola's| over the nodes lo .. hi, every `stride`. */
+static double near_looks(const struct frame *f, int64_t lo, int64_t hi, int64_t stride, double B, double depth)
 {
     double sum = 0, y;
 
     for (int64_t i = lo; i <= hi; i += stride) {
-        double d = depth - fmax(node_gap(f, i, &y), 0), parabola = depth - B * y * y;
+        double g = node_gap(f, i, &y), d = depth - (g < 0 ? 0 : g), parabola = depth - B * y * y;
         double width = f->c + f->p->rail->slope[i] * f->s;        /* NaN where nothing covers the node */
         d = d > 0 ? d : 0;
         parabola = parabola > 0 ? parabola : 0;
@@ -73,9 +75,24 @@ static double looks(const struct frame *f, int64_t lo, int64_t hi, int64_t strid
     return sum * (double)stride * f->p->step;
 }
 
+/* Sum of depth where the parabola has none. */
+static double far_looks(const struct frame *f, int64_t lo, int64_t hi, double depth)
+{
+    const struct gap_curve *r = f->p->rail, *w = f->p->wheel;
+    double sum = 0;
+
+    for (int64_t i = lo; i <= hi; i += FAR_NODES) {
+        double g = gap_node(r, w, i, i + f->off) - f->m->gap;
+        double turn = f->c + w->slope[i + f->off] * f->s, width = f->c + r->slope[i] * f->s;
+        if (width > 0 && turn > UPRIGHT && g < depth * turn)
+            sum += (depth - fmax(g / turn, 0)) * width;
+    }
+    return sum * FAR_NODES * f->p->step;
+}
+
 double patch_deviation(const struct gap_pair *p, const struct gap_minimum *m, double B, const struct hertz *h, double load)
 {
-    double b = h->b1 * cbrt(load), depth = B * b * b;
+    double b = h->b1 * cbrt(load), depth = fmax(B, HERTZ_FLATTEST) * b * b;
     struct frame f;
     int64_t lo, hi, first, last;
 
@@ -84,29 +101,35 @@ double patch_deviation(const struct gap_pair *p, const struct gap_minimum *m, do
     frame_nodes(&f, NEAR * b * f.c, &lo, &hi);
     frame_nodes(&f, fmax(FAR, NEAR * b * f.c), &first, &last);
     int64_t stride = (hi - lo) / NEAR_LOOKS + 1;
-    double sum = looks(&f, lo, hi, stride, B, depth) + looks(&f, first, lo - 1, FAR_NODES, B, depth) + looks(&f, hi + 1, last, FAR_NODES, B, depth);
+    double sum = near_looks(&f, lo, hi, stride, depth / (b * b), depth) + far_looks(&f, first, lo - 1, depth) + far_looks(&f, hi + 1, last, depth);
     return sum / (4.0 / 3 * depth * b);
 }
 
-/* How far the rows must go: from the contact outwards (way -1 or 1) to the first node of a gap above `limit`, or of a new contact; with
- * PATCH_ALL to the last above it. */
-static double extent_end(const struct frame *f, int way, double limit, enum patch_extent extent)
+struct end {
+    double y;                /* m, on the rail */
+    int limited;             /* the gap exceeds the limit there */
+};
+
+/* How far the rows must go from the contact on its left (way -1) or right (1): to the first node of a gap above `limit`, or of another contact;
+ * with PATCH_ALL to the last above it. */
+static struct end extent_end(const struct frame *f, int way, double limit, enum patch_extent extent)
 {
     int64_t lo, hi;
     double at = f->m->y / f->p->step - (double)f->p->rail->first, last = 0, y;
 
     frame_nodes(f, ALL, &lo, &hi);
     int64_t i = way > 0 ? (int64_t)floor(at) + 1 : (int64_t)ceil(at) - 1, end = i;
-    for (int inside = 1; i >= lo && i <= hi; i += way) {
+    int above = 0;
+    for (; i >= lo && i <= hi; i += way) {
         double g = node_gap(f, i, &y);
-        if (extent == PATCH_OWN && (!(g <= limit) || (fabs(y) > OWN && g < last)))
-            return (double)(f->p->rail->first + i) * f->p->step;
-        if (g <= limit || inside)
+        if (g <= limit || !above)
             end = i;
-        inside = g <= limit;
+        above = g > limit;                                        /* not a NaN */
+        if (extent == PATCH_OWN && (above || !(g >= 0) || (fabs(y) > OWN && g < last)))
+            break;
         last = g;
     }
-    return (double)(f->p->rail->first + end) * f->p->step;
+    return (struct end){(double)(f->p->rail->first + end) * f->p->step, above};
 }
 
 /* n rows evenly over y of from .. to (m, on the rail); less where a curve has a hole. */
@@ -120,8 +143,10 @@ static int64_t rows_between(const struct frame *f, double from, double to, int64
         if (!gap_at(f->p, y, &at))
             continue;
         double turn = f->c + (at.rail - at.slope) * f->s;
+        if (turn < UPRIGHT)
+            continue;
         row[k++] = (struct strip_row){
-            .y = (y - f->m->y) * f->c + (at.z - f->z0) * f->s, .gap = (at.gap - f->m->gap) / turn, .A = 0.5 * at.bend / turn,
+            .y = (y - f->m->y) * f->c + (at.z - f->z0) * f->s, .gap = fmax(at.gap - f->m->gap, 0) / turn, .A = 0.5 * at.bend / turn,
         };
     }
     return k;
@@ -130,24 +155,20 @@ static int64_t rows_between(const struct frame *f, double from, double to, int64
 int64_t patch_rows(const struct gap_pair *p, const struct gap_minimum *m, double B, const struct hertz *h, double load,
                     const struct strip_law *law, enum patch_extent extent, struct strip_row row[PATCH_ROWS], struct strip_patch *patch)
 {
-    double b = h->b1 * cbrt(load), limit = 2 * B * b * b, from = 0, to = 0;
+    double b = h->b1 * cbrt(load), limit = 2 * fmax(B, HERTZ_FLATTEST) * b * b;
     struct frame f;
     int64_t n = 0;
 
     if (!frame_make(p, m, &f))
         return 0;
     for (int filled = 1; filled; limit *= DEEPER) {
-        double first = extent_end(&f, -1, limit, extent), last = extent_end(&f, 1, limit, extent);
-        if (n > 0 && first >= from && last <= to)
-            break;
-        from = first;
-        to = last;
-        n = rows_between(&f, from, to, extent == PATCH_OWN ? OWN_ROWS : PATCH_ROWS, row);
+        struct end left = extent_end(&f, -1, limit, extent), right = extent_end(&f, 1, limit, extent);
+        n = rows_between(&f, left.y, right.y, extent == PATCH_OWN ? OWN_ROWS : PATCH_ROWS, row);
         if (n < 3)
             return 0;
         strip_prepare(law, row, n);
         strip_patch(row, n, strip_approach(row, n, load), patch);
-        filled = row[0].half > 0 || row[n - 1].half > 0;
+        filled = (left.limited && row[0].half > 0) || (right.limited && row[n - 1].half > 0);
     }
     return n;
 }

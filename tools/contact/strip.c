@@ -17,7 +17,6 @@
 
 #define LOWEST (-8.0)        /* log(B/A) of the law's first entry */
 #define RATIO_STEP 0.03125
-#define FLATTEST 0.1         /* 1/m: hollow and flat strips count as this, as in the method's published implementation */
 #define EXACT 1e-13          /* of the load */
 
 enum { SHARE, REACH, STIFF };
@@ -56,8 +55,8 @@ void strip_prepare(const struct strip_law *law, struct strip_row *row, int64_t n
         struct strip_row *r = &row[i];
         const struct strip_row *m = &row[i == 0 ? 1 : i == n - 1 ? n - 2 : i];
         double B = ((m[1].gap - m->gap) / (m[1].y - m->y) - (m->gap - m[-1].gap) / (m->y - m[-1].y)) / (m[1].y - m[-1].y);
-        double A = r->A > FLATTEST ? r->A : FLATTEST, v[3];
-        law_at(law, A, B > FLATTEST ? B : FLATTEST, v);
+        double A = r->A > HERTZ_FLATTEST ? r->A : HERTZ_FLATTEST, v[3];
+        law_at(law, A, B > HERTZ_FLATTEST ? B : HERTZ_FLATTEST, v);
         r->share = v[SHARE];
         r->reach = v[REACH] / A;
         r->stiff = v[STIFF] * law->modulus;
