@@ -70,7 +70,8 @@ static void aslant(const struct prof *wheel, double alpha, double steepest, doub
             double u_turned = d / cos(alpha) - AT * cos(psi) + straight->prof.position;
             struct contact a[CONTACT_MAX], b[CONTACT_MAX];
             int n = contact_lookup(&t, 0, yaw, u, 0, a), m = contact_lookup(&o, 0, psi, u_turned, 0, b);
-            if (n < 1 || m < 1 || fabs(a[0].row[CTAB_WHEEL_Y] - b[0].row[CTAB_WHEEL_Y]) > 1e-3 || fabs(a[0].row[CTAB_ANGLE]) > steepest || a[0].weight < 1 || b[0].weight < 1)
+            if (n < 1 || m < 1 || a[0].weight < 1 || b[0].weight < 1 || fabs(a[0].row[CTAB_ANGLE]) > steepest ||
+                fabs(a[0].row[CTAB_WHEEL_Y] - b[0].row[CTAB_WHEEL_Y]) > 1e-3)
                 continue;
             double x = a[0].row[CTAB_X] + AT * sin(yaw), y = a[0].row[CTAB_RAIL_Y] - d;   /* from the wheel's centre */
             double turned_x = b[0].row[CTAB_X] + AT * sin(psi);
