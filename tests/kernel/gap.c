@@ -16,7 +16,7 @@ static struct gap_curve curve(int i, int n)
     for (int j = 0; j < n; j++)
         bend[j] = 2;
     struct gap_curve c = {.z = store[i][0], .slope = store[i][1], .k = store[i][2], .along = store[i][3], .along_y = store[i][4],
-                          .bend = store[i][5], .bend_y = store[i][6], .at = store[i][7], .reach = 0.015};
+                          .bend = store[i][5], .bend_y = store[i][6], .at = store[i][7], .reach = store[i][8]};
 
     gap_tabulate(&(struct gap_line){n, y, z, slope, k, along, bend}, STEP, &c);
     return c;

@@ -150,7 +150,7 @@ static double nearest(const struct overlap *o, int64_t i, double *q)
     int64_t j = i + o->off;
     double e = r->along[i], k = r->bend[i], X = w->along[j], b = w->bend[j];
 
-    *q = within((b * (X - r->at[i]) - e) / (b + k), X - r->reach, X + r->reach);
+    *q = within((b * (X - r->at[i]) - e) / (b + k), X - r->reach[i], X + r->reach[i]);
     double behind = r->at[i] + *q - X;
     return *q * (e + 0.5 * k * *q) + 0.5 * b * behind * behind;
 }
@@ -162,10 +162,10 @@ CLONES static void gap_slopes_fall(const struct overlap *o, double *restrict d)
     const struct gap_curve *r = o->r, *w = o->w;
     const double *restrict rs = r->slope, *restrict e = r->along, *restrict e1 = r->along_y, *restrict k = r->bend, *restrict k1 = r->bend_y;
     const double *restrict at = r->at, *restrict ws = w->slope + o->off, *restrict X = w->along + o->off, *restrict X1 = w->along_y + o->off;
-    const double *restrict b = w->bend + o->off, *restrict b1 = w->bend_y + o->off, reach = r->reach;
+    const double *restrict b = w->bend + o->off, *restrict b1 = w->bend_y + o->off, *restrict reach = r->reach;
 
     for (int64_t i = o->lo; i <= o->hi; i++) {
-        double q = within((b[i] * (X[i] - at[i]) - e[i]) / (b[i] + k[i]), X[i] - reach, X[i] + reach), behind = at[i] + q - X[i];
+        double q = within((b[i] * (X[i] - at[i]) - e[i]) / (b[i] + k[i]), X[i] - reach[i], X[i] + reach[i]), behind = at[i] + q - X[i];
         d[i - o->lo] = rs[i] - ws[i] + q * (e1[i] + 0.5 * k1[i] * q) + 0.5 * b1[i] * behind * behind + (e[i] + k[i] * q) * X1[i];
     }
 }

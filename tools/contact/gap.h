@@ -6,7 +6,7 @@
  *
  *     q = (b (X - x_t) - e)/(b + k),    gap(y) = z_r - z_w + e q + k q^2/2 + b (x_t + q - X)^2/2
  *
- * where q stays within X +- reach, as far as the rail is known to run so.  A wheel whose running circle hangs at height H touches where
+ * where q stays within X +- reach(y), as far as the rail is known to run so.  A wheel whose running circle hangs at height H touches where
  * gap(y) = H, and touches first where that is smallest.  Node j of the grid is y = j step, so u that is a multiple of the step
  * shifts by whole nodes. */
 #ifndef VX_CONTACT_GAP_H
@@ -30,12 +30,11 @@ struct gap_curve {
     double *z, *slope, *k;   /* as above [n] */
     double *along, *along_y; /* e or X, and its derivative by y [n] */
     double *bend, *bend_y;   /* k or b, the same [n] */
-    double *at;              /* m [n] rail: x_t; a wheel's is not read */
-    double reach;            /* m, rail */
+    double *at, *reach;      /* m [n] rail: x_t, and how far q may be from X; a wheel's are not read */
     int level;               /* along and at are 0 everywhere */
 };
 
-enum { GAP_ARRAYS = 8 };     /* of n doubles in a gap_curve */
+enum { GAP_ARRAYS = 9 };     /* of n doubles in a gap_curve */
 
 enum { GAP_LEFT_END = 1, GAP_RIGHT_END = 2 };
 

@@ -16,6 +16,8 @@
 #define LEAST_WEIGHT 1e-12    /* what rounding leaves of a corner on the query's own node */
 #define TANGENT_MOST 0.05     /* m of station a contact that ends goes on along its tangent */
 
+#define FALL_MOST 0.05        /* a flank that runs aslant falls by more, but not as far as the next section */
+
 enum { CORNERS = 8, AXES = CTAB_LINKS };      /* bit 0 of a corner u, bit 1 yaw, bit 2 station */
 
 struct cell {
@@ -155,14 +157,15 @@ static double carried(const struct cell *c, const struct branch *b, int k, const
 {
     static const double part[2] = {1, 0.5};
     double part_s = part[b->held >> (k ^ 4) & 1], ds = c->off[CTAB_LINK_STATION][k >> 2];
+    double fall = fmax(-FALL_MOST, fmin(row[CTAB_HEIGHT_S], FALL_MOST));
 
-    *by_station = part_s * row[CTAB_HEIGHT_S];
+    *by_station = part_s * fall;
     if (part_s == 1 && fabs(ds) > TANGENT_MOST) {
         ds = copysign(TANGENT_MOST, ds);
         *by_station = 0;
     }
     return row[CTAB_HEIGHT] + part[b->held >> (k ^ 1) & 1] * row[CTAB_HEIGHT_U] * c->off[CTAB_LINK_U][k & 1] +
-           part[b->held >> (k ^ 2) & 1] * row[CTAB_HEIGHT_YAW] * c->off[CTAB_LINK_YAW][k >> 1 & 1] + part_s * row[CTAB_HEIGHT_S] * ds;
+           part[b->held >> (k ^ 2) & 1] * row[CTAB_HEIGHT_YAW] * c->off[CTAB_LINK_YAW][k >> 1 & 1] + part_s * fall * ds;
 }
 
 /* sum[CTAB_N] of the rows of the corners held, weighed. */

@@ -13,6 +13,7 @@
 #define ALONG_MOST 0.03       /* m from a section the wheel is looked for on those before and behind, which are */
 #define NEXT_MOST 0.012       /* m from one to the next at most */
 #define SHARE 0.6             /* of the distance to the next section, that a section's fall speaks for */
+#define RISE_MOST 1e-3        /* m, of a fall: the flank of a wing rail that runs aslant falls by 1 or more, as far as it is high */
 #define ALONE 0.02           /* m along the track that it speaks for where none is that near */
 #define BESIDE 1e-3           /* m beyond its end another body must reach for the end not to count */
 
@@ -69,7 +70,7 @@ static int64_t widest(const struct prof *p, double step)
 static struct gap_curve curve_at(double *at, int64_t n)
 {
     return (struct gap_curve){.z = at, .slope = at + n, .k = at + 2 * n, .along = at + 3 * n, .along_y = at + 4 * n,
-                              .bend = at + 5 * n, .bend_y = at + 6 * n, .at = at + 7 * n};
+                              .bend = at + 5 * n, .bend_y = at + 6 * n, .at = at + 7 * n, .reach = at + 8 * n};
 }
 
 static struct gap_line line_at(double *at, int64_t n)
@@ -183,8 +184,8 @@ static const struct gap_curve *poly_curve(struct search *s, const struct prof *p
     return &k->curve;
 }
 
-/* Joins to c the sections of its body that lie near, one way along the track. */
-static void body_join(struct search *s, const struct prof *p, int64_t poly, int way, struct gap_curve *c)
+/* Joins to c the sections of its body that lie near, one way along the track; *reach (m) falls to what they leave to each. */
+static void body_join(struct search *s, const struct prof *p, int64_t poly, int way, struct gap_curve *c, double *reach)
 {
     double here = p->station[p->poly_section[poly]], last = here;
 
@@ -192,7 +193,7 @@ static void body_join(struct search *s, const struct prof *p, int64_t poly, int 
         double there = p->station[p->poly_section[i]], next = fabs(there - last);
         if (next > NEXT_MOST || fabs(there - here) > ALONG_MOST)
             return;
-        c->reach = fmin(c->reach, SHARE * next);
+        *reach = fmin(*reach, SHARE * next);
         gap_join(c, poly_curve(s, p, i), there - here, 1 / s->radius);
         last = there;
     }
@@ -201,15 +202,18 @@ static void body_join(struct search *s, const struct prof *p, int64_t poly, int 
 /* A body of a section on the grid: as it is there, or as far as the wheel can feel it before and behind. */
 static void body_tabulate(struct search *s, const struct prof *p, int64_t poly, struct gap_curve *c)
 {
+    double reach = ALONE;
+
     poly_copy(p, poly, s->mirror, &s->line);
     for (int64_t i = 0; i < s->line.n && s->method != SEARCH_EXACT; i++)
         s->line.along[i] = s->line.bend[i] = 0;
     gap_tabulate(&s->line, s->gap.step, c);
-    c->reach = ALONE;
-    if (s->method != SEARCH_EXACT)
-        return;
-    body_join(s, p, poly, -1, c);
-    body_join(s, p, poly, 1, c);
+    if (s->method == SEARCH_EXACT) {
+        body_join(s, p, poly, -1, c, &reach);
+        body_join(s, p, poly, 1, c, &reach);
+    }
+    for (int64_t i = 0; i < c->n; i++)
+        c->reach[i] = fmin(reach, RISE_MOST / fabs(c->along[i]));
 }
 
 const char *search_section(struct search *s, const struct prof *p, int64_t section)

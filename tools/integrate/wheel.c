@@ -97,17 +97,17 @@ static double solve_local(const struct wheel_law *law, const struct wheel_input 
 }
 
 /* Creepages of wheel against rail at a point r from the wheelset's centre, over v.  The wheel's material moves with
- * omega x r, omega = (roll' - spin yaw, spin, yaw' + spin roll); the rail comes along x at v(1 - curvature y).  Where the wheel's path falls by
- * `slope`, contact lies r slope behind the axle's plumb line and the wheel's material there moves v slope less downwards. */
-static void creepages(const struct wheel_input *in, const double r[3], double track_y, double angle, double slope, double creep[3])
+ * omega x r, omega = (roll' - spin yaw, spin, yaw' + spin roll); the rail comes along x at v(1 - curvature y).  Sideways the material moves
+ * by sy; as fast as wheel and rail approach, `rate` downwards, it goes into the contact plane, and along it by the rest:
+ * -sy sin g + sz cos g = rate cos g, eta v = sy cos g + sz sin g.  Where contact lies ahead of the axle needs not be known for that. */
+static void creepages(const struct wheel_input *in, const double r[3], double track_y, double angle, double rate, double creep[3])
 {
     double wx = in->vroll - in->spin * in->yaw, wy = in->spin, wz = in->vyaw + in->spin * in->roll;
     double sx = wy * r[2] - wz * r[1] + in->v * (1 - in->curvature * track_y);
     double sy = in->vy + wz * r[0] - wx * r[2] - in->rail_vy;
-    double sz = in->vz + wx * r[1] - wy * r[0] - in->v * slope - in->rail_v;
 
     creep[0] = sx / in->v;
-    creep[1] = (sy * cos(angle) + sz * sin(angle)) / in->v;
+    creep[1] = (sy / cos(angle) + rate * sin(angle)) / in->v;
     creep[2] = ((wz + in->curvature * in->v) * cos(angle) - wy * sin(angle)) / in->v;
 }
 
@@ -131,7 +131,7 @@ static void add_contact(const struct wheel_law *law, const struct wheel_input *i
     double semi_a = row[CTAB_HERTZ_A] * root, semi_b = row[CTAB_HERTZ_B] * root;
     double r[3] = {row[CTAB_X], y - in->y, z - in->z + in->radius}, creep[3], T[3], F[3], M[3];
 
-    creepages(in, r, y, g, a->c[k].height_s + in->rail_slope + in->dip_slope, creep);
+    creepages(in, r, y, g, a->rate[k], creep);
     fastsim(&law->grid, semi_a, semi_b, N, law->friction, t->shear_modulus, t->poisson, creep[0], creep[1], creep[2], T);
     out->creep_damping += w * creep_damping(t, semi_a, semi_b, cosg, in->v);
     F[0] = w * T[0];                             /* on the rail: N n + Tx x + Ty t, spin moment Mz n */
