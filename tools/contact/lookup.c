@@ -23,6 +23,7 @@ enum { CORNERS = 8, AXES = CTAB_LINKS };      /* bit 0 of a corner u, bit 1 yaw,
 struct cell {
     int64_t first[CORNERS];         /* row */
     int count[CORNERS];
+    unsigned in;                    /* bits of the corners that count */
     double weight[CORNERS];
     double per_s[CORNERS];          /* 1/m, derivative of the weight by station */
     double off[AXES][2];            /* m, rad, m from the lower and the upper end of the cell to the query */
@@ -81,6 +82,7 @@ static void cell_corners(const struct ctab *t, double s, double yaw, double u, s
         c->off[CTAB_LINK_YAW][end] = (ty - end) * dy;
         c->off[CTAB_LINK_STATION][end] = (ts - end) * length;
     }
+    c->in = 0;
     for (int k = 0; k < CORNERS; k++) {
         int at = k & 3, ahead = k >> 2;
         int64_t node = ((is + ahead) * t->yaws + iy + (k >> 1 & 1)) * t->us + iu + (k & 1);
@@ -90,6 +92,7 @@ static void cell_corners(const struct ctab *t, double s, double yaw, double u, s
         c->per_s[k] = ahead ? across[at] * per_length : -across[at] * per_length;
         c->first[k] = in ? t->first[node] : 0;
         c->count[k] = in ? t->first[node + 1] - t->first[node] : 0;
+        c->in |= (unsigned)in << k;
     }
 }
 
@@ -152,6 +155,40 @@ static void join_corner(const struct ctab *t, const struct cell *c, int k, struc
         }
 }
 
+/* The usual cell: all corners that count have as many rows, and each goes on with its like.  0 where it is not so. */
+static int join_plain(const struct ctab *t, const struct cell *c, struct joined *o)
+{
+    int n = c->count[__builtin_ctz(c->in)];
+
+    for (int k = 0; k < CORNERS; k++) {
+        const uint8_t *link = t->link + c->first[k] * CTAB_LINKS;
+        if (c->in >> k & 1 && c->count[k] != n)
+            return 0;
+        for (int axis = 0; axis < AXES && c->in >> k & 1; axis++)
+            if (!(k >> axis & 1) && c->in >> (k | 1 << axis) & 1)
+                for (int i = 0; i < n; i++)
+                    if (link[i * CTAB_LINKS + axis] != i + 1)
+                        return 0;
+    }
+    for (int i = 0; i < n; i++) {
+        o->branch[i].held = c->in;
+        for (int k = 0; k < CORNERS; k++)
+            o->branch[i].row[k] = c->first[k] + i;
+    }
+    o->n = n;
+    return 1;
+}
+
+static void join(const struct ctab *t, const struct cell *c, struct joined *o)
+{
+    if (join_plain(t, c, o))
+        return;
+    o->n = 0;
+    for (int k = 0; k < CORNERS; k++)
+        if (c->count[k])
+            join_corner(t, c, k, o);
+}
+
 /* Height of a corner's row carried to the query, and its derivative by station. */
 static double carried(const struct cell *c, const struct branch *b, int k, const float *row, double *by_station)
 {
@@ -168,18 +205,21 @@ static double carried(const struct cell *c, const struct branch *b, int k, const
            part[b->held >> (k ^ 2) & 1] * row[CTAB_HEIGHT_YAW] * c->off[CTAB_LINK_YAW][k >> 1 & 1] + part_s * fall * ds;
 }
 
-/* sum[CTAB_N] of the rows of the corners held, weighed. */
+/* sum[CTAB_N] of the rows of the corners held, weighed.  All eight are added, some with weight 0, so that the columns stay in lanes. */
 CLONES static void blend_rows(const struct ctab *t, const struct branch *b, const double weight[CORNERS], double *restrict sum)
 {
-    for (int i = 0; i < CTAB_N; i++)
-        sum[i] = 0;
+    const float *r[CORNERS];
+    double w[CORNERS];
+    int held = __builtin_ctz(b->held);
+
     for (int k = 0; k < CORNERS; k++) {
-        if (!(b->held >> k & 1))
-            continue;
-        const float *restrict row = t->row + b->row[k] * CTAB_N;
-        for (int i = 0; i < CTAB_N; i++)
-            sum[i] += weight[k] * row[i];
+        int in = b->held >> k & 1;
+        r[k] = t->row + b->row[in ? k : held] * CTAB_N;
+        w[k] = in ? weight[k] : 0;
     }
+    for (int i = 0; i < CTAB_N; i++)
+        sum[i] = ((w[0] * r[0][i] + w[1] * r[1][i]) + (w[2] * r[2][i] + w[3] * r[3][i])) +
+                 ((w[4] * r[4][i] + w[5] * r[5][i]) + (w[6] * r[6][i] + w[7] * r[7][i]));
 }
 
 /* Mean of a branch over its corners, at roll 0. */
@@ -239,22 +279,19 @@ int contact_lookup(const struct ctab *t, double s, double yaw, double u, double 
         return -1;
     yaw = fmax(t->yaw[0], fmin(yaw, t->yaw[t->yaws - 1]));
     cell_corners(t, s - t->wheel_position * sin(yaw), yaw, u, &cell);
-    joined.n = 0;
-    for (int k = 0; k < CORNERS; k++)
-        if (cell.count[k])
-            join_corner(t, &cell, k, &joined);
+    join(t, &cell, &joined);
     for (int j = 0; j < joined.n; j++) {
-        struct contact one;
         if (!joined.branch[j].held || n == CONTACT_MAX)
             continue;
-        blend(t, &cell, &joined.branch[j], &one);
-        if (!(one.weight > LEAST_WEIGHT))
+        blend(t, &cell, &joined.branch[j], &c[n]);
+        if (!(c[n].weight > LEAST_WEIGHT))
             continue;
-        turn(&one, yaw, roll);
-        int i = n++;
-        for (; i > 0 && c[i - 1].height > one.height; i--)
+        turn(&c[n], yaw, roll);
+        for (int i = n++; i > 0 && c[i - 1].height > c[i].height; i--) {
+            struct contact lower = c[i];
             c[i] = c[i - 1];
-        c[i] = one;
+            c[i - 1] = lower;
+        }
     }
     return n;
 }
