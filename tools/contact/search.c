@@ -13,6 +13,7 @@
 #define ALONG_MOST 0.03       /* m from a section the wheel is looked for on those before and behind, which are */
 #define NEXT_MOST 0.012       /* m from one to the next at most */
 #define SHARE 0.6             /* of the distance to the next section, that a section's fall speaks for */
+#define BEND_MOST 100.0       /* 1/m: an edge of 1 mm radius that runs aslant by 1:3 */
 #define RISE_MOST 1e-3        /* m, of a fall: the flank of a wing rail that runs aslant falls by 1 or more, as far as it is high */
 #define ALONE 0.02           /* m along the track that it speaks for where none is that near */
 #define FALL_ALONE 0.1        /* what falls more steeply there is left out: flanks that run aslant end above sooner, noses begin */
@@ -26,7 +27,7 @@ static void line_bend(struct gap_line *o)
         int64_t a = i > 0 ? i - 1 : 0, b = i < o->n - 1 ? i + 1 : i;
         double across = (o->along[b] - o->along[a]) / (o->y[b] - o->y[a]);
         double t2 = 1 + o->slope[i] * o->slope[i], second = o->k[i] * t2 * sqrt(t2);
-        o->bend[i] = across * across / fmax(second, CROWN_LEAST);
+        o->bend[i] = fmin(across * across / fmax(second, CROWN_LEAST), BEND_MOST);
     }
 }
 
