@@ -52,6 +52,13 @@ $bin/vxprofile --side l --check data/turnouts/60E1-R760-1-15.yaml | awk -F'\t' '
 ok $? "turnout: stock rail to 15 m, nose from 46.8 m, wing rail to 48.0 m"
 $bin/vxprofile --side r --set turnout.route=through --check data/turnouts/60E1-R760-1-15.yaml | grep -q 'nose'
 ok $? "turnout, through route: the nose is on the right"
+$bin/vxprofile --side l --set turnout.route=through --set turnout.hand=left --check data/turnouts/60E1-R300-1-9.yaml | grep -q 'nose'
+ok $? "of the other hand on the left again"
+$bin/vxprofile --side r --set turnout.check_rail.body=true --check data/turnouts/60E1-R300-1-9.yaml | grep -q 'check rail'
+ok $? "the check rail is a body where told so"
+$bin/vxprofile --side r --check data/turnouts/60E1-R300-1-9.yaml | grep -q 'check rail'
+[ $? = 1 ]
+ok $? "and else none"
 
 # The same circle of 100 mm in metres, in millimetres, and as measured towards the track's centre with z up.
 awk 'BEGIN {for (y = -0.05; y < 0.0501; y += 0.0005) printf "%.9f %.9f\n", y, 0.1 - sqrt(0.01 - y * y)}' >"$tmp/m.txt"
@@ -83,6 +90,8 @@ fails 2 '--side must be one of' $bin/vxprofile --side x data/profiles/60E1.yaml
 fails 2 '--part wheel|rail and --unit m|mm' $bin/vxprofile "$tmp/m.txt"
 fails 2 'says its own' $bin/vxprofile --part rail --unit m data/profiles/60E1.yaml
 fails 1 'No such file' $bin/vxprofile "$tmp/none.prr"
+fails 1 'wing_rail: opens by' $bin/vxprofile --set turnout.wing_rail.opening=0.03 data/turnouts/60E1-R300-1-9.yaml
+fails 1 'two pairs' $bin/vxprofile --set 'turnout.check_rail.flangeway=[[0, 0.04]]' data/turnouts/60E1-R300-1-9.yaml
 fails 1 'wrong unit' $bin/vxprofile --part rail --unit m "$tmp/mm.txt"
 fails 1 'gauge is measured' $bin/vxprofile --part rail --unit m --set gauge_depth=0.02 "$tmp/m.txt"
 fails 1 'unit: must be stated' $bin/vxprofile --set unit=unstated data/profiles/60E1.yaml
