@@ -16,7 +16,6 @@
 #define BEND_MOST 100.0       /* 1/m: an edge of 1 mm radius that runs aslant by 1:3 */
 #define RISE_MOST 1e-3        /* m, of a fall: the flank of a wing rail that runs aslant falls by 1 or more, as far as it is high */
 #define ALONE 0.02           /* m along the track that it speaks for where none is that near */
-#define FALL_ALONE 0.1        /* what falls more steeply there is left out: flanks that run aslant end above sooner, noses begin */
 #define BESIDE 1e-3           /* m beyond its end another body must reach for the end not to count */
 
 /* A rail's surface is taken as developable, swept along straight lines as a wing rail that runs aslant is: z_xx z_yy = z_xy^2 gives its bend
@@ -201,27 +200,14 @@ static void body_join(struct search *s, const struct prof *p, int64_t poly, int 
     }
 }
 
-/* Does the next section of the body lie near, one way along the track? */
-static int body_near(const struct prof *p, int64_t poly, int way)
-{
-    int64_t next = poly_next(p, poly, way);
-
-    return next >= 0 && fabs(p->station[p->poly_section[next]] - p->station[p->poly_section[poly]]) <= NEXT_MOST;
-}
-
 /* A body of a section on the grid: as it is there, or as far as the wheel can feel it before and behind. */
 static void body_tabulate(struct search *s, const struct prof *p, int64_t poly, struct gap_curve *c)
 {
     double reach = ALONE;
 
-    int alone = !body_near(p, poly, -1) && !body_near(p, poly, 1);
-
     poly_copy(p, poly, s->mirror, &s->line);
     for (int64_t i = 0; i < s->line.n && s->method != SEARCH_EXACT; i++)
         s->line.along[i] = s->line.bend[i] = 0;
-    for (int64_t i = 0; i < s->line.n && alone; i++)
-        if (fabs(s->line.along[i]) > FALL_ALONE)
-            s->line.y[i] = (double)NAN;
     gap_tabulate(&s->line, s->gap.step, c);
     if (s->method == SEARCH_EXACT) {
         body_join(s, p, poly, -1, c, &reach);
