@@ -6,6 +6,8 @@
 
 #include "tools/contact/clones.h"
 
+#define FACE 5.0              /* dz/dy with which a wheel's profile ends in a face, the back of its flange */
+
 struct hermite { double z, slope; };
 
 /* Cubic with values z0, z1 and slopes d0, d1 (per unit of y) at the ends of a cell of width h, at t of 0..1. */
@@ -253,6 +255,10 @@ int gap_minima(const struct gap_search *s, const struct gap_curve *rail, const s
     gap_slopes(&o, d);
     if (ends & GAP_LEFT_END && o.lo == 0 && d[0] > 0) {
         one = minimum_at_end(&o, d, 0, s->step);
+        n = keep(m, n, most, s->apart, &one);
+    }
+    if (o.lo + o.off == 0 && d[0] > 0 && wheel->slope[0] > FACE) {
+        one = minimum_at(&o, d, o.lo, s->step, 0);
         n = keep(m, n, most, s->apart, &one);
     }
     for (int64_t i = o.lo; i < o.hi; i++, d++)

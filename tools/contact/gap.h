@@ -66,7 +66,7 @@ struct gap_search {
 };
 
 /* Minima for the wheel moved right by `shift` nodes into m[most], by increasing y.  At ends (GAP_LEFT_END | GAP_RIGHT_END) of the rail a
- * smallest gap counts too.  More than `most`: the lowest are kept. */
+ * smallest gap counts too, and at the left end of the wheel where that is the back of its flange.  More than `most`: the lowest are kept. */
 int gap_minima(const struct gap_search *s, const struct gap_curve *rail, const struct gap_curve *wheel, int64_t shift, int ends,
                struct gap_minimum *m, int most);
 
