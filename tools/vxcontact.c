@@ -12,6 +12,7 @@
 #include "tools/contact/lookup.h"
 #include "tools/contact/parameters.h"
 #include "tools/contact/rows.h"
+#include "tools/contact/spot.h"
 #include "tools/contact/sweep.h"
 #include "tools/contact/table.h"
 #include "tools/contact/wheelset.h"
@@ -25,6 +26,7 @@ static const char usage[] =
     "vxcontact --wheel FILE --rail FILE --yaw none|thesis|exact [--u-max M] [--u-step M]\n"
     "          [--yaw-max RAD] [--yaws N] [--shear-modulus PA] [--poisson NU]\n"
     "          [--normal hertz|strip] [--load N] [-o FILE]\n"
+    "vxcontact --patch u=M,load=N[,yaw=RAD][,s=M] --wheel FILE --rail FILE [--shear-modulus PA] [--poisson NU]\n"
     "vxcontact --query u=M[,yaw=RAD][,s=M][,roll=RAD] TABLE\n"
     "vxcontact --path u=M,from=M,to=M,step=M[,yaw=RAD][,roll=RAD] TABLE\n"
     "vxcontact --sweep yaw=RAD[,s=M] TABLE...\n"
@@ -37,7 +39,7 @@ static const char *const yaw_methods[] = {"none", "thesis", "exact", NULL};
 static const char *const normal_laws[] = {"hertz", "strip", NULL};
 
 static struct {
-    const char *wheel, *rail, *query, *path, *sweep, *wheelset, *conicity, *out;
+    const char *wheel, *rail, *patch, *query, *path, *sweep, *wheelset, *conicity, *out;
     int yaw, rolling_radius, no_roll, amplitudes;
     double amplitude[AMPLITUDES];    /* m, of --conicity */
     struct table_grid grid;
@@ -59,6 +61,7 @@ static const struct cli_option options[] = {
     {.name = "poisson", .type = CLI_NUM, .value = &opt.grid.poisson, .lo = 0, .hi = 0.5},
     {.name = "normal", .type = CLI_CHOICE, .value = &opt.grid.normal, .choice = normal_laws},
     {.name = "load", .type = CLI_NUM, .value = &opt.grid.load, .lo = 1e2, .hi = 1e6},
+    {.name = "patch", .type = CLI_TEXT, .value = &opt.patch},
     {.name = "query", .type = CLI_TEXT, .value = &opt.query},
     {.name = "path", .type = CLI_TEXT, .value = &opt.path},
     {.name = "sweep", .type = CLI_TEXT, .value = &opt.sweep},
@@ -86,20 +89,22 @@ static char **parse(int argc, char **argv)
     int n, build, care, forms;
     char **operand = cli_begin(&program, argc, argv, 0, SWEEP_TABLES, &n);
 
-    build = opt.wheel || opt.rail || opt.yaw >= 0;
+    build = !opt.patch && (opt.wheel || opt.rail || opt.yaw >= 0);
     care = opt.cache.list + opt.cache.verify + !!opt.cache.prune;
-    forms = build + care + !!opt.query + !!opt.path + !!opt.sweep + !!opt.wheelset + !!opt.conicity + opt.rolling_radius;
+    forms = build + care + !!opt.patch + !!opt.query + !!opt.path + !!opt.sweep + !!opt.wheelset + !!opt.conicity + opt.rolling_radius;
     if (forms != 1)
-        cli_misuse("give either --wheel, --rail and --yaw, or one of --query, --path, --sweep, --wheelset, --conicity, --rolling-radius, --cache-...");
+        cli_misuse("give either --wheel, --rail and --yaw, or one of --patch, --query, --path, --sweep, --wheelset, --conicity, --rolling-radius, --cache-...");
+    if (opt.patch && !(opt.wheel && opt.rail && opt.yaw < 0))
+        cli_misuse("--patch needs --wheel and --rail, and takes its yaw as an item");
     if (build && !(opt.wheel && opt.rail && opt.yaw >= 0))
         cli_misuse("--wheel, --rail and --yaw must all be given");
     if (!build && opt.out)
         cli_misuse("-o is for a new table");
     if (opt.no_roll && (build || opt.query || opt.path || opt.sweep || care))
         cli_misuse("--no-roll is for a wheelset");
-    if (opt.sweep ? n == 0 : n != (build || care ? 0 : opt.query || opt.path ? 1 : 2))
+    if (opt.sweep ? n == 0 : n != (build || care || opt.patch ? 0 : opt.query || opt.path ? 1 : 2))
         cli_misuse("%d operands, must be %s", n,
-                   build || care ? "none" : opt.sweep ? "one table or more" : opt.query || opt.path ? "one table" : "a left and a right table");
+                   build || care || opt.patch ? "none" : opt.sweep ? "one table or more" : opt.query || opt.path ? "one table" : "a left and a right table");
     if (opt.conicity)
         opt.amplitudes = cli_numbers("conicity", opt.conicity, 1e-6, 0.05, opt.amplitude, AMPLITUDES);
     return operand;
@@ -117,6 +122,32 @@ static void open_prof(struct vxf *f, struct prof *p, const char *path)
 {
     cli_open(f, path, "prof");
     cli_check(path, prof_read(p, f));
+}
+
+static void print_patch(void)
+{
+    struct spot_place at = {.shear_modulus = opt.grid.shear_modulus, .poisson = opt.grid.poisson};
+    const struct cli_item item[] = {{"u", &at.u, -0.05, 0.05, 1}, {"load", &at.load, 1, 1e7, 1}, {"yaw", &at.yaw, -0.1, 0.1, 0}, {"s", &at.s, -1e5, 1e5, 0}};
+    static struct spot spot;
+    struct vxf wheel_file, rail_file;
+    struct prof wheel, rail;
+    double row[SPOT_TOTALS];
+
+    cli_items("patch", opt.patch, item, 4);
+    open_prof(&wheel_file, &wheel, opt.wheel);
+    open_prof(&rail_file, &rail, opt.rail);
+    cli_check(opt.rail, spot_find(&wheel, &rail, &at, &spot));
+    spot_total_row(&spot, at.load, row);
+    cli_header(spot_totals, SPOT_TOTALS);
+    cli_row(spot_totals, SPOT_TOTALS, row);
+    cli_header(spot_strip, SPOT_STRIP);
+    for (int64_t i = 0; i < spot.rows; i++)
+        if (spot.strip[i].half > 0)
+            cli_row(spot_strip, SPOT_STRIP, (double[]){spot.strip[i].y, spot.strip[i].half, spot.strip[i].pressure});
+    prof_free(&wheel);
+    prof_free(&rail);
+    vxf_close(&wheel_file);
+    vxf_close(&rail_file);
 }
 
 static void build_table(void)
@@ -317,6 +348,8 @@ int main(int argc, char **argv)
 
     if (opt.cache.list || opt.cache.verify || opt.cache.prune)
         cli_cache_care(&opt.cache);
+    else if (opt.patch)
+        print_patch();
     else if (opt.query)
         print_query(operand[0]);
     else if (opt.path)

@@ -75,17 +75,21 @@ static double near_looks(const struct frame *f, int64_t lo, int64_t hi, int64_t 
     return sum * (double)stride * f->p->step;
 }
 
-/* Sum of depth where the parabola has none. */
-static double far_looks(const struct frame *f, int64_t lo, int64_t hi, double depth)
+/* Sum of depth in other parts of the patch, beyond where the gap exceeds the approach, from node `from` outwards to `to`.  The surface is hardly bent
+ * there: depth is 0 where the gap is the approach, and that of the contact where the gap is 0. */
+static double far_looks(const struct frame *f, int64_t from, int64_t to, double depth, double approach)
 {
     const struct gap_curve *r = f->p->rail, *w = f->p->wheel;
+    int64_t way = to < from ? -1 : 1;
     double sum = 0;
+    int beyond = 0;
 
-    for (int64_t i = lo; i <= hi; i += FAR_NODES) {
+    for (int64_t i = from; (to - i) * way >= 0; i += way * FAR_NODES) {
         double g = gap_node(r, w, i, i + f->off) - f->m->gap;
         double turn = f->c + w->slope[i + f->off] * f->s, width = f->c + r->slope[i] * f->s;
-        if (width > 0 && turn > UPRIGHT && g < depth * turn)
-            sum += (depth - fmax(g / turn, 0)) * width;
+        beyond |= g >= approach * turn;
+        if (beyond && width > 0 && turn > UPRIGHT && g < approach * turn)
+            sum += depth * (1 - fmax(g / (turn * approach), 0)) * width;
     }
     return sum * FAR_NODES * f->p->step;
 }
@@ -101,7 +105,9 @@ double patch_deviation(const struct gap_pair *p, const struct gap_minimum *m, do
     frame_nodes(&f, NEAR * b * f.c, &lo, &hi);
     frame_nodes(&f, fmax(FAR, NEAR * b * f.c), &first, &last);
     int64_t stride = (hi - lo) / NEAR_LOOKS + 1;
-    double sum = near_looks(&f, lo, hi, stride, depth / (b * b), depth) + far_looks(&f, first, lo - 1, depth) + far_looks(&f, hi + 1, last, depth);
+    double approach = cbrt(load / h->C * load / h->C);
+    double sum = near_looks(&f, lo, hi, stride, depth / (b * b), depth);
+    sum += far_looks(&f, lo - 1, first, depth, approach) + far_looks(&f, hi + 1, last, depth, approach);
     return sum / (4.0 / 3 * depth * b);
 }
 

@@ -10,9 +10,9 @@
 
 enum { PATCH_ROWS = 400 };
 
-/* Where the ellipse h of a gap B y^2 (1/m) carries `load` (N): the sum over y of |depth - depth under the parabola|, with depth what
- * the bodies interpenetrate when edges of the parabola's patch just touch, over that of the parabola.  0 where the gap is the parabola; another
- * part of the patch, up to 15 mm away, adds its own depth.  1 at the end of a rail. */
+/* Where the ellipse h of a gap B y^2 (1/m) carries `load` (N): the sum over y of |depth - depth under the parabola| over that of the
+ * parabola, with depth = B b^2 - gap where positive, b the ellipse's semi-axis.  0 where the gap is the parabola.  Another part of the patch,
+ * up to 15 mm away, adds its depth where the gap is less than Hertz's approach.  1 at the end of a rail. */
 double patch_deviation(const struct gap_pair *p, const struct gap_minimum *m, double B, const struct hertz *h, double load);
 
 enum patch_extent {

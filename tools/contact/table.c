@@ -112,7 +112,7 @@ static const char *fill_end(struct filling *f)
     return NULL;
 }
 
-static const char *check_pair(const struct prof *wheel, const struct prof *rail)
+const char *table_pair(const struct prof *wheel, const struct prof *rail)
 {
     if (wheel->part != 'w')
         return "the wheel's profile is that of a rail";
@@ -149,7 +149,7 @@ const char *table_fill(struct ctab *t, const struct prof *wheel, const struct pr
     static const char *const name[] = {"none", "thesis", "exact"};
     struct table_grid g = *grid;
     struct filling f = {.t = t, .strips = grid->normal == TABLE_STRIP};
-    const char *why = check_pair(wheel, rail);
+    const char *why = table_pair(wheel, rail);
 
     *t = (struct ctab){0};
     if (why || (why = grid_complete(wheel, rail, method, &g)))

@@ -31,6 +31,9 @@ struct table_grid {
     double load;             /* N, on a contact, under which patches are compared and made; 0: 80e3 */
 };
 
+/* Are they a wheel and a rail of one side? */
+const char *table_pair(const struct prof *wheel, const struct prof *rail);
+
 /* Fills t, to be released by ctab_free. */
 const char *table_fill(struct ctab *t, const struct prof *wheel, const struct prof *rail, enum table_yaw method,
                        const struct table_grid *g);
