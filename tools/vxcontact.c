@@ -9,18 +9,12 @@
 
 #include "formats/ctab.h"
 #include "formats/prof.h"
-#include "tools/contact/lookup.h"
-#include "tools/contact/parameters.h"
 #include "tools/contact/rows.h"
 #include "tools/contact/spot.h"
 #include "tools/contact/sweep.h"
 #include "tools/contact/table.h"
-#include "tools/contact/wheelset.h"
 
-#define RADIUS_STEP 5e-5         /* m, of y for --rolling-radius */
-#define KLINGEL_STEP 1e-5        /* m, of y for --conicity, which a leap of contact moves by as much */
-#define TAPE_LINE 1.5            /* m, distance of the contact points, EN 15302 */
-enum { SWEEP_MOST = 4801, AMPLITUDES = 100 };
+enum { AMPLITUDES = 100 };
 
 static const char usage[] =
     "vxcontact --wheel FILE --rail FILE --yaw none|thesis|exact [--u-max M] [--u-step M]\n"
@@ -83,6 +77,8 @@ static const struct cli_program program = {
     .option = options,
 };
 
+static const struct rows_printer printer = {cli_header, cli_row};
+
 /* Exactly one of the seven forms of the usage. */
 static char **parse(int argc, char **argv)
 {
@@ -131,19 +127,12 @@ static void print_patch(void)
     static struct spot spot;
     struct vxf wheel_file, rail_file;
     struct prof wheel, rail;
-    double row[SPOT_TOTALS];
 
     cli_items("patch", opt.patch, item, 4);
     open_prof(&wheel_file, &wheel, opt.wheel);
     open_prof(&rail_file, &rail, opt.rail);
     cli_check(opt.rail, spot_find(&wheel, &rail, &at, &spot));
-    spot_total_row(&spot, at.load, row);
-    cli_header(spot_totals, SPOT_TOTALS);
-    cli_row(spot_totals, SPOT_TOTALS, row);
-    cli_header(spot_strip, SPOT_STRIP);
-    for (int64_t i = 0; i < spot.rows; i++)
-        if (spot.strip[i].half > 0)
-            cli_row(spot_strip, SPOT_STRIP, (double[]){spot.strip[i].y, spot.strip[i].half, spot.strip[i].pressure});
+    spot_rows(&spot, at.load, &printer);
     prof_free(&wheel);
     prof_free(&rail);
     vxf_close(&wheel_file);
@@ -179,39 +168,19 @@ static void build_table(void)
     vxf_close(&rail_file);
 }
 
-/* The lookup would hold it at the end. */
-static void check_yaw(const struct ctab *t, const char *path, double yaw)
-{
-    if (!(yaw >= t->yaw[0] && yaw <= t->yaw[t->yaws - 1]))
-        cli_die("%s: yaw %g rad is beyond the table, %g to %g", path, yaw, t->yaw[0], t->yaw[t->yaws - 1]);
-}
-
 static void print_query(const char *path)
 {
     double u = 0, yaw = 0, s = 0, roll = 0;
     const struct cli_item item[] = {{"u", &u, -1, 1, 1}, {"yaw", &yaw, -0.1, 0.1, 0}, {"s", &s, -1e5, 1e5, 0}, {"roll", &roll, -0.1, 0.1, 0}};
     struct vxf f;
     struct ctab t;
-    struct contact c[CONTACT_MAX];
-    struct column column[ROWS_N];
-    double row[ROWS_N];
 
     cli_items("query", opt.query, item, 4);
     open_table(&f, &t, path, 0);
-    check_yaw(&t, path, yaw);
-    int n = contact_lookup(&t, s, yaw, u, roll, c);
-    if (n < 0)
-        cli_die("%s: u = %g m is beyond the table, %g to %g", path, u, t.u[0], t.u[t.us - 1]);
-    rows_columns(column);
-    cli_header(column + ROWS_CONTACT, ROWS_N - ROWS_CONTACT);
-    for (int i = 0; i < n; i++) {
-        rows_contact(&c[i], c[0].height, row);
-        cli_row(column + ROWS_CONTACT, ROWS_N - ROWS_CONTACT, row + ROWS_CONTACT);
-    }
+    cli_check(path, rows_query(&t, s, yaw, u, roll, &printer));
     vxf_close(&f);
 }
 
-/* The contact that touches, station by station; where there is none, none is printed. */
 static void print_path(const char *path)
 {
     double u = 0, from = 0, to = 0, step = 0, yaw = 0, roll = 0;
@@ -219,125 +188,47 @@ static void print_path(const char *path)
                                     {"yaw", &yaw, -0.1, 0.1, 0}, {"roll", &roll, -0.1, 0.1, 0}};
     struct vxf f;
     struct ctab t;
-    struct contact c[CONTACT_MAX];
-    struct column column[ROWS_N];
-    double row[ROWS_N];
 
     cli_items("path", opt.path, item, 6);
     open_table(&f, &t, path, 0);
-    check_yaw(&t, path, yaw);
-    rows_columns(column);
-    column[ROWS_PATH] = (struct column){"station", "m", 10};
-    cli_header(column + ROWS_PATH, ROWS_GAP - ROWS_PATH);
-    for (int64_t i = 0; from + (double)i * step <= to + 1e-9 * step; i++) {
-        row[ROWS_PATH] = from + (double)i * step;
-        int n = contact_lookup(&t, row[ROWS_PATH], yaw, u, roll, c);
-        if (n < 0)
-            cli_die("%s: u = %g m is beyond the table, %g to %g", path, u, t.u[0], t.u[t.us - 1]);
-        if (n == 0)
-            continue;
-        rows_contact(&c[0], c[0].height, row);
-        cli_row(column + ROWS_PATH, ROWS_GAP - ROWS_PATH, row + ROWS_PATH);
-    }
+    cli_check(path, rows_path(&t, from, to, step, yaw, u, roll, &printer));
     vxf_close(&f);
 }
 
 static void print_tables(char **path)
 {
-    double yaw = 0, s = 0, row[SWEEP_N];
+    double yaw = 0, s = 0;
     const struct cli_item item[] = {{"yaw", &yaw, -0.1, 0.1, 1}, {"s", &s, -1e5, 1e5, 0}};
     struct vxf f[SWEEP_TABLES];
     struct ctab t[SWEEP_TABLES];
-    struct column column[SWEEP_N];
-    char name[SWEEP_N][SWEEP_NAME];
     int n = 0;
 
     cli_items("sweep", opt.sweep, item, 2);
-    for (; path[n]; n++) {
+    for (; path[n]; n++)
         open_table(&f[n], &t[n], path[n], n ? t[0].side : 0);
-        if (t[n].yaws > 1)
-            check_yaw(&t[n], path[n], yaw);
-    }
-    int columns = sweep_columns(t, n, name, column);
-    cli_header(column, columns);
-    for (int64_t i = 0; i < t[0].us; i++)
-        if (sweep_row(t, n, s, yaw, t[0].u[i], row))
-            cli_row(column, columns, row);
+    cli_check("sweep", rows_tables(t, n, s, yaw, &printer));
     while (n > 0)
         vxf_close(&f[--n]);
 }
 
-static void print_wheelset(const struct ctab *left, const struct ctab *right, double s, double yaw, double y, double load)
-{
-    struct column column[ROWS_N];
-    double row[ROWS_N], rest[ROWS_REST];
-    struct wheelset w;
-
-    cli_check("wheelset", wheelset_rest(left, right, s, yaw, y, load, !opt.no_roll, &w));
-    rows_wheelset_rest(&w, rest);
-    cli_header(rows_rest, ROWS_REST);
-    cli_row(rows_rest, ROWS_REST, rest);
-    rows_columns(column);
-    cli_header(column, ROWS_N);
-    for (int i = WHEELSET_LEFT; i <= WHEELSET_RIGHT; i++)
-        for (int k = 0; k < w.side[i].n; k++) {
-            rows_wheelset(&w, i, k, row);
-            cli_row(column, ROWS_N, row);
-        }
-}
-
-static void print_sweep(const struct wheelset_point *p, int64_t n)
-{
-    double row[ROWS_SWEEP];
-
-    cli_header(rows_sweep, ROWS_SWEEP);
-    for (int64_t i = 0; i < n; i++) {
-        rows_wheelset_point(&p[i], row);
-        cli_row(rows_sweep, ROWS_SWEEP, row);
-    }
-}
-
-static void print_conicity(const struct wheelset_point *p, int64_t n, double r0)
-{
-    static double value[4][SWEEP_MOST];
-    const struct parameters_curves curves = {value[0], value[1], value[2], value[3]};
-    struct parameters parameters[AMPLITUDES];
-    double row[ROWS_PARAMETERS];
-
-    parameters_gather(p, n, &curves);
-    for (int i = 0; i < opt.amplitudes; i++)
-        cli_check("conicity", parameters_at(&curves, n, opt.amplitude[i], TAPE_LINE, r0, &parameters[i]));
-    cli_header(rows_parameters, ROWS_PARAMETERS);
-    for (int i = 0; i < opt.amplitudes; i++) {
-        rows_wheelset_parameters(opt.amplitude[i], &parameters[i], row);
-        cli_row(rows_parameters, ROWS_PARAMETERS, row);
-    }
-}
-
 static void print_pair(char **path)
 {
-    double y = 0, yaw = 0, s = 0, load = 0;
-    const struct cli_item item[] = {{"y", &y, -1, 1, 1}, {"yaw", &yaw, -0.1, 0.1, 0}, {"s", &s, -1e5, 1e5, 0}, {"load", &load, 0, 1e7, 0}};
-    static struct wheelset_point p[SWEEP_MOST];
-    struct vxf f[2];
+    double y = 0, load = 0;
     struct ctab t[2];
-    int64_t n = 0;
+    struct rows_pair pair = {.left = &t[0], .right = &t[1], .roll_free = !opt.no_roll};
+    const struct cli_item item[] = {{"y", &y, -1, 1, 1}, {"yaw", &pair.yaw, -0.1, 0.1, 0}, {"s", &pair.s, -1e5, 1e5, 0}, {"load", &load, 0, 1e7, 0}};
+    struct vxf f[2];
 
     if (opt.wheelset)
         cli_items("wheelset", opt.wheelset, item, 4);
     open_table(&f[0], &t[0], path[0], 'l');
     open_table(&f[1], &t[1], path[1], 'r');
-    check_yaw(&t[0], path[0], yaw);
-    check_yaw(&t[1], path[1], yaw);
-    if (opt.wheelset) {
-        print_wheelset(&t[0], &t[1], s, yaw, y, load);
-    } else {
-        cli_check("wheelset", wheelset_sweep(&t[0], &t[1], s, yaw, opt.rolling_radius ? RADIUS_STEP : KLINGEL_STEP, !opt.no_roll, p, SWEEP_MOST, &n));
-        if (opt.rolling_radius)
-            print_sweep(p, n);
-        else
-            print_conicity(p, n, 0.5 * (t[0].radius + t[1].radius));
-    }
+    if (opt.wheelset)
+        cli_check("wheelset", rows_wheelset(&pair, y, load, &printer));
+    else if (opt.rolling_radius)
+        cli_check("wheelset", rows_rolling_radius(&pair, &printer));
+    else
+        cli_check("conicity", rows_conicity(&pair, opt.amplitude, opt.amplitudes, &printer));
     vxf_close(&f[0]);
     vxf_close(&f[1]);
 }

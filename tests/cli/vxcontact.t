@@ -51,6 +51,22 @@ done
 $bin/vxcontact --rolling-radius "$l" "$r" | awk 'NR > 1 && $1 > 0.00099 && $1 < 0.00101 {d = $3} END {exit !(d > 0.0006 && d < 0.00063)}'
 ok $? "rolling radius difference at 1 mm is 0.61 mm"
 
+$bin/vxcontact --patch u=0.003,load=80000,yaw=0.007 --wheel "$tmp/wr.prof" --rail "$tmp/rr.prof" | awk 'NR > 2 {$1 = ""} 1' | tail -n +4 >"$tmp/right"
+$bin/vxcontact --patch u=-0.003,load=80000,yaw=-0.007 --wheel "$tmp/wl.prof" --rail "$tmp/rl.prof" | awk 'NR > 2 {$1 = ""} 1' | tail -n +4 | tac >"$tmp/left"
+[ "$(wc -l <"$tmp/right")" -gt 50 ] && cmp -s "$tmp/left" "$tmp/right"
+ok $? "a patch on the left mirrors that on the right"
+$bin/vxcontact --normal strip --wheel "$tmp/wr.prof" --rail "$tmp/rr.prof" --yaw none -o "$tmp/strip.ctab"
+$bin/vxinfo "$tmp/strip.ctab" | grep -q '^NORMAL= strip'
+ok $? "a table of strips says so"
+# The table's stiffness and ellipse under its load are the patch's own: approach (N/C)^(2/3), semi-axes.
+$bin/vxcontact --query u=0.003 "$tmp/strip.ctab" | awk 'NR == 2 {print exp(log(80000 / $11) * 2 / 3), $12 * exp(log(80000) / 3), $13 * exp(log(80000) / 3)}' >"$tmp/table"
+$bin/vxcontact --patch u=0.003,load=80000 --wheel "$tmp/wr.prof" --rail "$tmp/rr.prof" | awk 'NR == 2 {print $5, $11, $12}' >"$tmp/one"
+paste "$tmp/table" "$tmp/one" | awk '{for (i = 1; i <= 3; i++) {d = $i / $(i + 3) - 1; if (d < -0.01 || d > 0.01) bad = 1}} END {exit bad}'
+ok $? "its stiffness and ellipse are those of the patch under the load"
+
+fails 2 "patch without a rail" $bin/vxcontact --patch u=0,load=1e4 --wheel "$tmp/wl.prof"
+fails 2 "patch without a load" $bin/vxcontact --patch u=0 --wheel "$tmp/wl.prof" --rail "$tmp/rl.prof"
+fails 1 "patch of two sides" $bin/vxcontact --patch u=0,load=1e4 --wheel "$tmp/wl.prof" --rail "$tmp/rr.prof"
 fails 2 "no form" $bin/vxcontact "$l"
 fails 2 "two forms" $bin/vxcontact --rolling-radius --query u=0 "$l"
 fails 2 "rail missing" $bin/vxcontact --wheel "$tmp/wl.prof" --yaw exact
@@ -101,6 +117,24 @@ if [ -r $data/mbench_a22.csv ]; then
     within 5 0.42 l 0.5 "place on the left wheel within 0.42 mm from 0.5 mm on"
     within 4 0.16 lr 0 "longitudinal place within 0.16 mm"
     within 6 0.005 lr 1 "contact angle within 0.005 rad from 1 mm on"
+
+    # The patch of each, strip by strip under their normal force: side, y, shape, and pressure and area over theirs, in percent; Hertz's pressure.
+    awk -F, 'NR > 1 {print substr($1, 1, 1), $2, $3, $9, $10, $11}' $data/mbench_a22.csv | while read -r s y yaw force pressure area; do
+        yaw=$(awk "BEGIN {printf \"%.9g\", $yaw / 1e3}")
+        u=$($bin/vxcontact --wheelset "y=${y}e-3,yaw=$yaw,load=10000" "$tmp/ml.ctab" "$tmp/mr.ctab" | awk -v s="$s" '$1 == s {print $2; exit}')
+        $bin/vxcontact --patch "u=$u,yaw=$yaw,load=$force" --wheel "$tmp/mw$s.prof" --rail "$tmp/mr$s.prof" |
+            awk -v s="$s" -v y="$y" -v p="$pressure" -v a="$area" 'NR == 2 {
+                printf "%s %s %.3f %.1f %.1f %.1f\n", s, y, $3, ($9 / p / 1e6 - 1) * 100, ($7 / a * 1e6 - 1) * 100, ($10 / p / 1e6 - 1) * 100}'
+    done >"$tmp/patches"
+    sed 's/^/# Manchester A-2.2, shape, strips less CONTACT pressure and area, Hertz pressure, percent: /' "$tmp/patches"
+    [ "$(awk '$3 > 0.15 {printf "%s%s ", $1, $2}' "$tmp/patches")" = "r0 r0.5 r5 l0 " ]
+    ok $? "Manchester A-2.2: a shape above 0.15 marks 0, 0.5 and 5 mm, where patches are wide or double, and no other"
+    awk '$2 <= 6 && ($4 > 5.5 || $4 < -5.5) {n++} END {exit !(NR > 40 && n == 0)}' "$tmp/patches"
+    ok $? "Manchester A-2.2: highest pressure within 5.5 % of exact up to 6 mm"
+    awk '$2 <= 6 && $3 < 0.15 && ($4 > 3.5 || $4 < -3.5 || $5 > 7.5 || $5 < -7.5) {n++} END {exit n > 0}' "$tmp/patches"
+    ok $? "Manchester A-2.2: pressure within 3.5 %, area within 7.5 % where no mark is"
+    awk '$2 == 0.5 && $1 == "r" {d = $4 - $6} END {exit !(d < -5)}' "$tmp/patches"
+    ok $? "Manchester A-2.2: at 0.5 mm Hertz is off by 5 % more"
 else
     n=$((n + 1))
     echo "ok $n # SKIP no $data/mbench_a22.csv: Manchester contact benchmark not compared"

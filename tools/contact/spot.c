@@ -2,7 +2,6 @@
 #include "tools/contact/spot.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "formats/reason.h"
 #include "tools/contact/row.h"
@@ -10,13 +9,6 @@
 #include "tools/contact/table.h"
 
 #define STEP 1e-4            /* m, at most */
-
-const struct column spot_totals[SPOT_TOTALS] = {
-    {"rail_y", "m", 6}, {"angle", "rad", 6}, {"shape", "1", 4}, {"parts", "1", 3},
-    {"approach", "m", 5}, {"hertz_approach", "m", 5}, {"area", "m^2", 5}, {"hertz_area", "m^2", 5},
-    {"pressure", "Pa", 5}, {"hertz_pressure", "Pa", 5}, {"a", "m", 5}, {"b", "m", 5}, {"force_y", "m", 5},
-};
-const struct column spot_strip[SPOT_STRIP] = {{"y", "m", 6}, {"half_length", "m", 6}, {"pressure", "Pa", 6}};
 
 static int64_t nearest_section(const struct prof *rail, double s)
 {
@@ -81,14 +73,23 @@ const char *spot_find(const struct prof *wheel, const struct prof *rail, const s
     return why;
 }
 
-void spot_total_row(const struct spot *o, double load, double row[SPOT_TOTALS])
+void spot_rows(const struct spot *o, double load, const struct rows_printer *out)
 {
-    const struct strip_patch *p = &o->patch;
-    double a = o->row[CTAB_HERTZ_A] * cbrt(load), b = o->row[CTAB_HERTZ_B] * cbrt(load), area = M_PI * a * b;
-    const double all[SPOT_TOTALS] = {
-        o->row[CTAB_RAIL_Y], o->row[CTAB_ANGLE], o->row[CTAB_SHAPE], p->parts, p->approach, pow(load / o->row[CTAB_HERTZ_C], 2.0 / 3),
-        p->area, area, p->pressure, 1.5 * load / area, p->a, p->b, p->y,
+    static const struct column total[] = {
+        {"rail_y", "m", 6}, {"angle", "rad", 6}, {"shape", "1", 4}, {"parts", "1", 3},
+        {"approach", "m", 5}, {"hertz_approach", "m", 5}, {"area", "m^2", 5}, {"hertz_area", "m^2", 5},
+        {"pressure", "Pa", 5}, {"hertz_pressure", "Pa", 5}, {"a", "m", 5}, {"b", "m", 5}, {"force_y", "m", 5},
     };
+    static const struct column strip[] = {{"y", "m", 6}, {"half_length", "m", 6}, {"pressure", "Pa", 6}};
+    const int totals = sizeof total / sizeof *total;
+    const struct strip_patch *p = &o->patch;
+    double area = M_PI * o->row[CTAB_HERTZ_A] * o->row[CTAB_HERTZ_B] * cbrt(load * load);
 
-    memcpy(row, all, sizeof all);
+    out->header(total, totals);
+    out->row(total, totals, (double[]){o->row[CTAB_RAIL_Y], o->row[CTAB_ANGLE], o->row[CTAB_SHAPE], p->parts, p->approach,
+                                   pow(load / o->row[CTAB_HERTZ_C], 2.0 / 3), p->area, area, p->pressure, 1.5 * load / area, p->a, p->b, p->y});
+    out->header(strip, 3);
+    for (int64_t i = 0; i < o->rows; i++)
+        if (o->strip[i].half > 0)
+            out->row(strip, 3, (double[]){o->strip[i].y, o->strip[i].half, o->strip[i].pressure});
 }

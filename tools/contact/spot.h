@@ -4,10 +4,10 @@
 #ifndef VX_CONTACT_SPOT_H
 #define VX_CONTACT_SPOT_H
 
-#include "formats/columns.h"
 #include "formats/ctab.h"
 #include "formats/prof.h"
 #include "tools/contact/patch.h"
+#include "tools/contact/rows.h"
 
 struct spot_place {
     double s, yaw, u;                /* m, rad, m, as of a table */
@@ -25,9 +25,7 @@ struct spot {
 /* Of the contact that touches first, at the section nearest to s. */
 const char *spot_find(const struct prof *wheel, const struct prof *rail, const struct spot_place *at, struct spot *o);
 
-/* Columns to print: totals, and those of a strip. */
-enum { SPOT_TOTALS = 13, SPOT_STRIP = 3 };
-extern const struct column spot_totals[SPOT_TOTALS], spot_strip[SPOT_STRIP];
-void spot_total_row(const struct spot *o, double load, double row[SPOT_TOTALS]);
+/* The totals, then the strips of the patch from left to right. */
+void spot_rows(const struct spot *o, double load, const struct rows_printer *out);
 
 #endif
