@@ -97,44 +97,29 @@ if [ -r $data/mbench_a22.csv ]; then
             $bin/vxprofile --side $s $data/contact_profiles/MBench_UIC60_v3.prr -o "$tmp/mr$s.prof" &&
             $bin/vxcontact --u-max 0.016 --yaw-max 0.024 --wheel "$tmp/mw$s.prof" --rail "$tmp/mr$s.prof" --yaw exact -o "$tmp/m$s.ctab"
     done
-    # side, y, and ours less theirs: z of the wheelset, and of the contact of the largest force x, y on the wheel, angle
-    awk -F, 'NR > 1 {print substr($1, 1, 1), $2, $3, $4, $8, $7, $18}' $data/mbench_a22.csv | while read -r s y yaw z wy angle x; do
+    # side, y, and ours less theirs: z of the wheelset, and of the contact of the largest force x, y on the rail, y on the wheel, angle; our angle
+    awk -F, 'NR > 1 {print substr($1, 1, 1), $2, $3, $4, $5, $8, $7, $18}' $data/mbench_a22.csv | while read -r s y yaw z ry wy angle x; do
         at=$(awk "BEGIN {printf \"y=%.9g,yaw=%.9g,load=10000\", $y / 1e3, $yaw / 1e3}")
-        $bin/vxcontact --wheelset "$at" "$tmp/ml.ctab" "$tmp/mr.ctab" | awk -v s="$s" -v y="$y" -v z="$z" -v wy="$wy" -v angle="$angle" -v x="$x" '
-            NR == 2 {height = $1 * 1e3}
-            $1 == s && $3 > most {most = $3; X = $8 * 1e3; W = $9 * 1e3; A = $10}
-            END {printf "%s %s %.4f %.4f %.4f %.5f\n", s, y, height - z, X - x, W - wy, A - angle}'
+        $bin/vxcontact --wheelset "$at" "$tmp/ml.ctab" "$tmp/mr.ctab" |
+            awk -v s="$s" -v y="$y" -v z="$z" -v ry="$ry" -v wy="$wy" -v angle="$angle" -v x="$x" '
+                NR == 2 {height = $1 * 1e3}
+                $1 == s && $3 > most {most = $3; X = $8 * 1e3; R = $6 * 1e3; W = $9 * 1e3; A = $10}
+                END {printf "%s %s %.4f %.4f %.4f %.4f %.5f %.4f\n", s, y, height - z, X - x, R - ry, W - wy, A - angle, A}'
     done >"$tmp/manchester"
     sed 's/^/# Manchester A-2.2, ours less CONTACT: /' "$tmp/manchester"
-    # within COLUMN LIMIT SIDES FROM TEXT; not 5 mm, where two parts of a patch are reported as one
+    # within COLUMN LIMIT EXCEPTIONS TEXT: largest difference but at the positions named, as r5, where its elastic patch is wide or double
     within() {
-        awk -v c="$1" -v limit="$2" -v sides="$3" -v from="$4" '$2 >= from && $2 != 5 && index(sides, $1) {d = $c < 0 ? -$c : $c; n++; if (d > worst) worst = d}
-            END {printf "# worst %g\n", worst; exit !(n > 0 && worst <= limit)}' "$tmp/manchester"
-        ok $? "Manchester A-2.2: $5"
+        awk -v c="$1" -v limit="$2" -v but=" $3 " '!index(but, " " $1 $2 " ") {d = $c < 0 ? -$c : $c; n++; if (d > worst) worst = d}
+            END {printf "# worst of %d: %g\n", n, worst; exit !(n > 30 && worst <= limit)}' "$tmp/manchester"
+        ok $? "Manchester A-2.2: $4"
     }
-    within 3 0.065 lr 0 "height within 0.065 mm"
-    within 5 0.37 r 1 "place on the right wheel within 0.37 mm from 1 mm on"
-    within 5 0.42 l 0.5 "place on the left wheel within 0.42 mm from 0.5 mm on"
-    within 4 0.16 lr 0 "longitudinal place within 0.16 mm"
-    within 6 0.005 lr 1 "contact angle within 0.005 rad from 1 mm on"
-
-    # The patch of each, strip by strip under their normal force: side, y, shape, and pressure and area over theirs, in percent; Hertz's pressure.
-    awk -F, 'NR > 1 {print substr($1, 1, 1), $2, $3, $9, $10, $11}' $data/mbench_a22.csv | while read -r s y yaw force pressure area; do
-        yaw=$(awk "BEGIN {printf \"%.9g\", $yaw / 1e3}")
-        u=$($bin/vxcontact --wheelset "y=${y}e-3,yaw=$yaw,load=10000" "$tmp/ml.ctab" "$tmp/mr.ctab" | awk -v s="$s" '$1 == s {print $2; exit}')
-        $bin/vxcontact --patch "u=$u,yaw=$yaw,load=$force" --wheel "$tmp/mw$s.prof" --rail "$tmp/mr$s.prof" |
-            awk -v s="$s" -v y="$y" -v p="$pressure" -v a="$area" 'NR == 2 {
-                printf "%s %s %.3f %.1f %.1f %.1f\n", s, y, $3, ($9 / p / 1e6 - 1) * 100, ($7 / a * 1e6 - 1) * 100, ($10 / p / 1e6 - 1) * 100}'
-    done >"$tmp/patches"
-    sed 's/^/# Manchester A-2.2, shape, strips less CONTACT pressure and area, Hertz pressure, percent: /' "$tmp/patches"
-    [ "$(awk '$3 > 0.15 {printf "%s%s ", $1, $2}' "$tmp/patches")" = "r0 r0.5 r5 l0 " ]
-    ok $? "Manchester A-2.2: a shape above 0.15 marks 0, 0.5 and 5 mm, where patches are wide or double, and no other"
-    awk '$2 <= 6 && ($4 > 5.5 || $4 < -5.5) {n++} END {exit !(NR > 40 && n == 0)}' "$tmp/patches"
-    ok $? "Manchester A-2.2: highest pressure within 5.5 % of exact up to 6 mm"
-    awk '$2 <= 6 && $3 < 0.15 && ($4 > 3.5 || $4 < -3.5 || $5 > 7.5 || $5 < -7.5) {n++} END {exit n > 0}' "$tmp/patches"
-    ok $? "Manchester A-2.2: pressure within 3.5 %, area within 7.5 % where no mark is"
-    awk '$2 == 0.5 && $1 == "r" {d = $4 - $6} END {exit !(d < -5)}' "$tmp/patches"
-    ok $? "Manchester A-2.2: at 0.5 mm Hertz is off by 5 % more"
+    wide="r0 r0.5 r1 r5 l0 l0.5"
+    within 3 0.065 "" "height within 0.065 mm"
+    within 5 0.3 "$wide" "place on the rail within 0.3 mm"
+    within 4 0.16 "" "longitudinal place within 0.16 mm"
+    within 7 0.01 "$wide" "contact angle within 0.01 rad"
+    awk '$1 == "r" && $8 < -0.8 {exit !($2 == 6.5)}' "$tmp/manchester"
+    ok $? "Manchester A-2.2: the flange touches first at 6.5 mm"
 else
     n=$((n + 1))
     echo "ok $n # SKIP no $data/mbench_a22.csv: Manchester contact benchmark not compared"
