@@ -18,9 +18,6 @@ YAW = exact
 out/%.ctab: $(BIN)/vxcontact
 	$(BIN)/vxcontact --wheel $(word 1,$(call of,.prof)) --rail $(word 2,$(call of,.prof)) --yaw $(YAW) -o $@
 
-out/%.txt: $(BIN)/vxcontact
-	$(BIN)/vxcontact --sweep $(SWEEP) $(call of,.ctab) >$@
-
 out/%.trk: $(BIN)/vxtrack
 	@mkdir -p $(@D)
 	$(BIN)/vxtrack $(SET) -o $@ $(call of,.yaml)
@@ -39,9 +36,9 @@ out/%.run: $(BIN)/vxrun
 out/%.csv: $(BIN)/vxpost
 	$(BIN)/vxpost $(POST) -o $@ $(call of,.run)
 
-# What vxcontact says of a wheelset: the left table, the right one.
+# What vxcontact says of tables; of a wheelset, first the left one.
 out/%.txt: $(BIN)/vxcontact
-	$(BIN)/vxcontact $(ASK) $(call of,-l.ctab) $(call of,-r.ctab) >$@
+	$(BIN)/vxcontact $(ASK) $(call of,.ctab) >$@
 
 out/%.png: $(BIN)/vxplot
 	$(BIN)/vxplot $(PLOT) -o $@ $(filter-out $(BIN)/%,$^)

@@ -30,8 +30,8 @@ $Y/plain-12.txt $Y/plain-24.txt: $(PLAIN)
 $Y/switch-0.txt $Y/switch-5.txt: $Y/switch-none.ctab $Y/switch-own.ctab $Y/switch-exact.ctab
 $Y/switch-12.txt $Y/switch-24.txt: $(SWITCH)
 MRAD = $(lastword $(subst -, ,$(basename $(@F))))
-$Y/plain-%.txt: SWEEP = yaw=$(MRAD)e-3
-$Y/switch-%.txt: SWEEP = yaw=-$(MRAD)e-3,s=6.5
+$Y/plain-%.txt: ASK = --sweep yaw=$(MRAD)e-3
+$Y/switch-%.txt: ASK = --sweep yaw=-$(MRAD)e-3,s=6.5
 
 SWEEPS = $(foreach p,plain switch,$(YAWS:%=$Y/$p-%.txt))
 $Y/errors.txt: pipelines/yaw.awk $(SWEEPS)
