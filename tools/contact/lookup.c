@@ -194,7 +194,7 @@ static double carried(const struct cell *c, const struct branch *b, int k, const
 {
     static const double part[2] = {1, 0.5};
     double part_s = part[b->held >> (k ^ 4) & 1], ds = c->off[CTAB_LINK_STATION][k >> 2];
-    double fall = fmax(-FALL_MOST, fmin(row[CTAB_HEIGHT_S], FALL_MOST));
+    double fall = row[CTAB_HEIGHT_S] > FALL_MOST ? FALL_MOST : row[CTAB_HEIGHT_S] < -FALL_MOST ? -FALL_MOST : row[CTAB_HEIGHT_S];
 
     *by_station = part_s * fall;
     if (part_s == 1 && fabs(ds) > TANGENT_MOST) {
@@ -277,8 +277,8 @@ int contact_lookup(const struct ctab *t, double s, double yaw, double u, double 
 
     if (!(u >= t->u[0] && u <= t->u[t->us - 1]))
         return -1;
-    yaw = fmax(t->yaw[0], fmin(yaw, t->yaw[t->yaws - 1]));
-    cell_corners(t, s - t->wheel_position * sin(yaw), yaw, u, &cell);
+    yaw = yaw < t->yaw[0] ? t->yaw[0] : yaw > t->yaw[t->yaws - 1] ? t->yaw[t->yaws - 1] : yaw;
+    cell_corners(t, s - t->wheel_position * yaw * (1 - yaw * yaw / 6), yaw, u, &cell);    /* sin: yaw is small */
     join(t, &cell, &joined);
     for (int j = 0; j < joined.n; j++) {
         if (!joined.branch[j].held || n == CONTACT_MAX)
