@@ -13,7 +13,7 @@ const char *export_poly(const struct prof *p, const double *at, const char *body
 /* y (m) of point i as on a right side; z needs no turning. */
 double export_y(const struct prof *p, int64_t i);
 
-/* Points of a polyline in the order of a right side: y increasing.  *i is the j-th. */
+/* Index in y and z of the j-th point of a polyline in the order of a right side, whose y increases. */
 int64_t export_point(const struct prof *p, int64_t poly, int64_t j);
 
 /* Lines y z in mm under a heading, those of a right side.  A failure to write is left to ferror(out). */

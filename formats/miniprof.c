@@ -20,7 +20,8 @@ struct scan {
     int64_t wanted, sections, section;  /* of a .mpt; section is 0 in its [FileInfo], and in other files */
     int several;                        /* a .mpt */
     int x, y, columns;                  /* where they are in a line, from 0; how many ColumnDef names */
-    int64_t told, hidden;               /* XYPoints, 0 where not said; points put out by a comment sign */
+    double told;                        /* XYPoints, 0 where not said */
+    int64_t hidden;                     /* points put out by a comment sign */
     int64_t room;
     struct miniprof *m;
 };
@@ -78,7 +79,7 @@ static const char *key_read(struct scan *c, const char *key, const char *value)
     if (strcasecmp(key, "ColumnDef") == 0)
         return *value ? columns_read(c, value) : NULL;
     if (strcasecmp(key, "XYPoints") == 0 && points_number(value, &number))
-        c->told = (int64_t)number;
+        c->told = number;
     if (strcasecmp(key, "Side") == 0) {
         char letter = (char)toupper((unsigned char)value[*value == '%']);
         m->side = letter == 'L' ? 'l' : letter == 'R' ? 'r' : 0;
@@ -208,8 +209,8 @@ static const char *scan_check(const struct scan *c)
         return "the empty line between header and points is missing";
     if (n < 3)
         return reason("%lld points, a profile needs at least 3", (long long)n);
-    if (n + c->hidden < c->told)
-        return reason("%lld points, XYPoints says %lld: cut short?", (long long)n, (long long)c->told);
+    if ((double)(n + c->hidden) < c->told)
+        return reason("%lld points, XYPoints says %.0f: cut short?", (long long)n, c->told);
     return NULL;
 }
 

@@ -9,7 +9,7 @@
 
 struct miniprof {
     char part;                       /* 'w' where the header is that of a wheel, else 0 */
-    char side;                       /* 'l' or 'r' of Side or Rail, else 0 */
+    char side;                       /* 'l' or 'r' of Side, else 0 */
     double height, width, slope;     /* m, Sh, Sd and qR of the header; 0 where it does not say */
     struct points points;
 };

@@ -222,6 +222,8 @@ const char *slices_index(struct slices *s, const char *path, const char *files)
         if (*c.at)
             why = index_add(s, &c, path, files);
     }
+    if (!why && ferror(c.file))
+        why = reason("%s", strerror(errno));
     free(c.line);
     fclose(c.file);
     if (!why && s->n == 0)

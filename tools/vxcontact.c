@@ -1,8 +1,9 @@
 /* vxcontact: where and how hard a wheel can touch its rails.
  *
- * In: .prof of one wheel and one rail, or .ctab.  Out: .ctab, ctab(5), or text: contacts of a wheel, of a wheelset at rest, rolling
- * radius difference, equivalent conicity.  Rigid contacts of a surface of revolution (contact locus), Hertz patches; Klingel's
- * motion after EN 15302.  x forward, y to the right, z down, SI units. */
+ * In: .prof of one wheel and one rail, or .ctab.  Out: .ctab, ctab(5), or text: a patch, contacts of a wheel at one place, along the track
+ * or over the displacement, of a wheelset at rest, rolling radius difference, equivalent conicity.  Or the cache of tables is looked after.
+ * Rigid contacts of a surface of revolution (contact locus) or of a profile turned after Lau (thesis.h); patches of Hertz or of ANALYN;
+ * Klingel's motion after EN 15302.  x forward, y to the right, z down, SI units. */
 #include "tools/cli/cache.h"
 #include "tools/cli/cli.h"
 #include "tools/cli/table.h"
@@ -79,7 +80,7 @@ static const struct cli_program program = {
 
 static const struct rows_printer printer = {cli_header, cli_row};
 
-/* Exactly one of the seven forms of the usage. */
+/* Exactly one of the forms of the usage. */
 static char **parse(int argc, char **argv)
 {
     int n, build, care, forms;

@@ -1,8 +1,9 @@
 /* vxprofile: cross-sections of a wheel, of a rail, of the rails of a turnout, or measured along the track.
  *
- * In: the profile input (YAML), a Simpack .prr or .prw, or plain points.  Out: .prof of one side: polylines with slope and
- * curvature, y to the right, z down, y increasing.
- * Method: points ordered and inclined, a smoothing spline over the length along them, resampled evenly, what overhangs cut off. */
+ * In: the profile input (YAML), a profile file of another program (formats/shape.h), a CONTACT .slcs, or plain points.  Out: .prof of one
+ * side: polylines with slope, curvature and fall, y to the right, z down, y increasing.
+ * Method: points turned to a right side, ordered and inclined, a smoothing spline over the length along them, resampled evenly, what
+ * overhangs cut off; between measured sections a surface of lines along the track (profile/loft.h). */
 #include "tools/cli/cli.h"
 
 #include <inttypes.h>

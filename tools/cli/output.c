@@ -127,7 +127,6 @@ void cli_create_part(struct cli_out *out, const char *path)
     enrol(out);
 }
 
-
 /* A write that failed before leaves no trace but ferror. */
 static const char *write_error(void)
 {

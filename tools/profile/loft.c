@@ -105,7 +105,6 @@ static void line_slope(const struct loft *l, int64_t i, double at, double slope[
     int before = chord_find(l, i, -1, at, &b), after = chord_find(l, i, 1, at, &a), way = after ? 1 : -1;
 
     tangent_find(l, i, at, e);
-
     slope[0] = slope[1] = 0;
     if (before)
         vector_turn(b.slope, e, 1);

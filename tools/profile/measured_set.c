@@ -111,7 +111,6 @@ const char *measured_set(const struct measured *list, int64_t lists, const struc
 
     if (!why)
         why = stations_gather(list, lists, o->every, &s);
-
     for (int64_t i = 0; !why && i < s.n; i++)
         if (!(why = set_section(set, s.x[i] + o->at)))
             why = section_set(list, lists, o, s.x[i], set);

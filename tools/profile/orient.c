@@ -15,7 +15,8 @@
 #define LOWER 0.5e-3         /* m, of one corner below the other */
 #define INSIDE 10e-3         /* m, from the side face to where the corner's height is taken */
 
-enum { UNKNOWN, NO, YES };   /* mirror */
+/* mirror */
+enum { UNKNOWN = PROF_MIRROR_UNSTATED, NO = PROF_MIRROR_NO, YES = PROF_MIRROR_YES };
 
 struct extent {
     double first, last;      /* m, z of the ends */
