@@ -41,7 +41,7 @@ static struct {
     struct cli_cache_care cache;
 } opt = {
     .yaw = -1,
-    .grid = {.u_max = 0.012, .u_step = 1e-4, .shear_modulus = 82e9, .poisson = 0.28, .load = 80e3},
+    .grid = {.u_max = 0.012, .u_step = 1e-4, .shear_modulus = 82e9, .poisson = 0.28, .load = TABLE_LOAD},
 };
 
 static const struct cli_option options[] = {

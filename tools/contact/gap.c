@@ -162,24 +162,26 @@ static double nearest(const struct overlap *o, int64_t i, double *q)
 CLONES static void gap_slopes_fall(const struct overlap *o, double *restrict d)
 {
     const struct gap_curve *r = o->r, *w = o->w;
-    const double *restrict rs = r->slope, *restrict e = r->along, *restrict e1 = r->along_y, *restrict k = r->bend, *restrict k1 = r->bend_y;
-    const double *restrict at = r->at, *restrict ws = w->slope + o->off, *restrict X = w->along + o->off, *restrict X1 = w->along_y + o->off;
-    const double *restrict b = w->bend + o->off, *restrict b1 = w->bend_y + o->off, *restrict reach = r->reach;
+    int64_t i0 = o->lo, j0 = o->lo + o->off;
+    const double *restrict rs = r->slope + i0, *restrict e = r->along + i0, *restrict e1 = r->along_y + i0, *restrict k = r->bend + i0;
+    const double *restrict k1 = r->bend_y + i0, *restrict at = r->at + i0, *restrict reach = r->reach + i0;
+    const double *restrict ws = w->slope + j0, *restrict X = w->along + j0, *restrict X1 = w->along_y + j0;
+    const double *restrict b = w->bend + j0, *restrict b1 = w->bend_y + j0;
 
-    for (int64_t i = o->lo; i <= o->hi; i++) {
+    for (int64_t i = 0; i <= o->hi - o->lo; i++) {
         double q = within((b[i] * (X[i] - at[i]) - e[i]) / (b[i] + k[i]), X[i] - reach[i], X[i] + reach[i]), behind = at[i] + q - X[i];
-        d[i - o->lo] = rs[i] - ws[i] + q * (e1[i] + 0.5 * k1[i] * q) + 0.5 * b1[i] * behind * behind + (e[i] + k[i] * q) * X1[i];
+        d[i] = rs[i] - ws[i] + q * (e1[i] + 0.5 * k1[i] * q) + 0.5 * b1[i] * behind * behind + (e[i] + k[i] * q) * X1[i];
     }
 }
 
 static void gap_slopes(const struct overlap *o, double *restrict d)
 {
-    const double *rs = o->r->slope, *ws = o->w->slope + o->off;
+    const double *rs = o->r->slope + o->lo, *ws = o->w->slope + o->lo + o->off;
 
     if (!o->r->level)
         gap_slopes_fall(o, d);
-    for (int64_t i = o->lo; i <= o->hi && o->r->level; i++)
-        d[i - o->lo] = rs[i] - ws[i];
+    for (int64_t i = 0; i <= o->hi - o->lo && o->r->level; i++)
+        d[i] = rs[i] - ws[i];
 }
 
 static double gap_height(const struct overlap *o, int64_t i)

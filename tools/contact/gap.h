@@ -34,9 +34,11 @@ struct gap_curve {
     int level;               /* along and at are 0 everywhere */
 };
 
-enum { GAP_ARRAYS = 9 };     /* of n doubles in a gap_curve */
+enum { GAP_LINE_ARRAYS = 6, GAP_ARRAYS = 9 };     /* of n doubles in a gap_line and in a gap_curve */
 
 enum { GAP_LEFT_END = 1, GAP_RIGHT_END = 2 };
+
+#define GAP_APART 4e-3       /* m: nearer minima on one body are one patch (D_COMB of CONTACT, Vollebregt 2022) */
 
 struct gap_minimum {
     double y;                /* m, on the rail */

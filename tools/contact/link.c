@@ -7,8 +7,10 @@
 
 #include <math.h>
 
-/* m, on the wheel.  As far as search.c keeps minima apart; from station to station the edge of a wing rail moves 6 mm in 0.1 m. */
-static const double reach[CTAB_LINKS] = {[CTAB_LINK_U] = 4e-3, [CTAB_LINK_YAW] = 4e-3, [CTAB_LINK_STATION] = 8e-3};
+#include "tools/contact/gap.h"
+
+/* m, on the wheel.  As far as minima are kept apart; from station to station the edge of a wing rail moves 6 mm in 0.1 m. */
+static const double reach[CTAB_LINKS] = {[CTAB_LINK_U] = GAP_APART, [CTAB_LINK_YAW] = GAP_APART, [CTAB_LINK_STATION] = 8e-3};
 
 /* Rows from[n][CTAB_N] of a node, their links link[n][CTAB_LINKS], rows to[m] of the next one. */
 static void link_nodes(const float *from, uint8_t *link, int n, const float *to, int m, enum ctab_link axis)

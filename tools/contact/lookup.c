@@ -15,8 +15,7 @@
 
 #define LEAST_WEIGHT 1e-12    /* what rounding leaves of a corner on the query's own node */
 #define TANGENT_MOST 0.05     /* m of station a contact that ends goes on along its tangent */
-
-#define FALL_MOST 0.05        /* a flank that runs aslant falls by more, but not as far as the next section */
+#define FALL_MOST 0.05        /* 1: a flank that runs aslant falls by more, but not as far as the next section */
 
 enum { CORNERS = 8, AXES = CTAB_LINKS };      /* bit 0 of a corner u, bit 1 yaw, bit 2 station */
 
@@ -158,13 +157,16 @@ static void join_corner(const struct ctab *t, const struct cell *c, int k, struc
 /* The usual cell: all corners that count have as many rows, and each goes on with its like.  0 where it is not so. */
 static int join_plain(const struct ctab *t, const struct cell *c, struct joined *o)
 {
-    int n = c->count[__builtin_ctz(c->in)];
+    int n = -1;
 
     for (int k = 0; k < CORNERS; k++) {
         const uint8_t *link = t->link + c->first[k] * CTAB_LINKS;
-        if (c->in >> k & 1 && c->count[k] != n)
+        if (!(c->in >> k & 1))
+            continue;
+        if (n >= 0 && c->count[k] != n)
             return 0;
-        for (int axis = 0; axis < AXES && c->in >> k & 1; axis++)
+        n = c->count[k];
+        for (int axis = 0; axis < AXES; axis++)
             if (!(k >> axis & 1) && c->in >> (k | 1 << axis) & 1)
                 for (int i = 0; i < n; i++)
                     if (link[i * CTAB_LINKS + axis] != i + 1)
@@ -205,12 +207,12 @@ static double carried(const struct cell *c, const struct branch *b, int k, const
            part[b->held >> (k ^ 2) & 1] * row[CTAB_HEIGHT_YAW] * c->off[CTAB_LINK_YAW][k >> 1 & 1] + part_s * fall * ds;
 }
 
-/* sum[CTAB_N] of the rows of the corners held, weighed.  All eight are added, some with weight 0, so that the columns stay in lanes. */
-CLONES static void blend_rows(const struct ctab *t, const struct branch *b, const double weight[CORNERS], double *restrict sum)
+/* sum[CTAB_N] of the rows of the corners held, weighed.  All eight are added, some with weight 0, so that the columns stay in lanes: the row
+ * of corner `held` stands for those that are not. */
+CLONES static void blend_rows(const struct ctab *t, const struct branch *b, int held, const double weight[CORNERS], double *restrict sum)
 {
     const float *r[CORNERS];
     double w[CORNERS];
-    int held = __builtin_ctz(b->held);
 
     for (int k = 0; k < CORNERS; k++) {
         int in = b->held >> k & 1;
@@ -226,6 +228,7 @@ CLONES static void blend_rows(const struct ctab *t, const struct branch *b, cons
 static void blend(const struct ctab *t, const struct cell *c, const struct branch *b, struct contact *o)
 {
     double W = 0, W_s = 0, h = 0, h_s = 0, body = 0, share[CORNERS];
+    int held = 0;
 
     for (int k = 0; k < CORNERS; k++) {
         if (!(b->held >> k & 1))
@@ -237,13 +240,14 @@ static void blend(const struct ctab *t, const struct cell *c, const struct branc
         h += w * height;
         h_s += c->per_s[k] * height + w * by_station;
         body = row[CTAB_BODY];
+        held = k;
     }
     o->weight = W;
     if (!(W > 0))
         return;
     for (int k = 0; k < CORNERS; k++)
         share[k] = c->weight[k] / W;
-    blend_rows(t, b, share, o->row);
+    blend_rows(t, b, held, share, o->row);
     o->height = h / W;
     o->height_s = (h_s - o->height * W_s) / W;
     o->row[CTAB_BODY] = body;

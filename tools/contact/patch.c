@@ -12,7 +12,6 @@
 #define FAR 0.015            /* m, within which another part of the patch is looked for */
 #define FAR_NODES 5          /* from one look to the next */
 #define NEAR_LOOKS 30        /* about as many looks at the patch */
-#define OWN 4e-3             /* m: minima further apart are contacts of their own (search.c) */
 #define ALL 0.02             /* m */
 #define OWN_ROWS 48
 #define UPRIGHT 0.2          /* of cos(phi) + s sin(phi): a wheel that rises more steeply from the plane is no part of the patch */
@@ -131,7 +130,7 @@ static struct end extent_end(const struct frame *f, int way, double limit, enum 
         if (g <= limit || !above)
             end = i;
         above = g > limit;                                        /* not a NaN */
-        if (extent == PATCH_OWN && (above || !(g >= 0) || (fabs(y) > OWN && g < last)))
+        if (extent == PATCH_OWN && (above || !(g >= 0) || (fabs(y) > GAP_APART && g < last)))
             break;
         last = g;
     }

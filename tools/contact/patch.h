@@ -16,7 +16,7 @@ enum { PATCH_ROWS = 400 };
 double patch_deviation(const struct gap_pair *p, const struct gap_minimum *m, double B, const struct hertz *h, double load);
 
 enum patch_extent {
-    PATCH_OWN,               /* the contact's own part: to where the gap falls again more than 4 mm away */
+    PATCH_OWN,               /* the contact's own part: to where the gap falls again further than GAP_APART away */
     PATCH_ALL                /* all of the body within 20 mm */
 };
 

@@ -7,7 +7,6 @@
 #include "formats/reason.h"
 #include "formats/room.h"
 
-#define APART 4e-3            /* m: nearer minima on one body are one patch (D_COMB of CONTACT, Vollebregt 2022) */
 #define WITHIN 8e-3           /* m: a contact further above the first is left out; no approach is that large */
 #define CROWN_LEAST 1.0       /* 1/m: flatter, z_yy says nothing of how a surface runs along the track */
 #define ALONG_MOST 0.03       /* m from a section the wheel is looked for on those before and behind, which are */
@@ -15,7 +14,7 @@
 #define SHARE 0.6             /* of the distance to the next section, that a section's fall speaks for */
 #define BEND_MOST 100.0       /* 1/m: an edge of 1 mm radius that runs aslant by 1:3 */
 #define RISE_MOST 1e-3        /* m, of a fall: the flank of a wing rail that runs aslant falls by 1 or more, as far as it is high */
-#define ALONE 0.02           /* m along the track that it speaks for where none is that near */
+#define ALONE 0.02            /* m along the track that it speaks for where none is that near */
 #define BESIDE 1e-3           /* m beyond its end another body must reach for the end not to count */
 
 /* A rail's surface is taken as developable, swept along straight lines as a wing rail that runs aslant is: z_xx z_yy = z_xy^2 gives its bend
@@ -81,7 +80,7 @@ static struct gap_line line_at(double *at, int64_t n)
 
 static const char *search_room(struct search *s, int64_t points, int64_t rail_nodes, int64_t wheel_nodes, int64_t yaws)
 {
-    double *line = room_take(&s->store, 2 * GAP_ARRAYS * points, sizeof *line);
+    double *line = room_take(&s->store, 2 * GAP_LINE_ARRAYS * points, sizeof *line);
     double *rail = room_take(&s->store, (SEARCH_BODIES + SEARCH_KEPT) * GAP_ARRAYS * rail_nodes, sizeof *rail);
     double *wheel = room_take(&s->store, yaws * GAP_ARRAYS * wheel_nodes, sizeof *wheel);
 
@@ -91,7 +90,7 @@ static const char *search_room(struct search *s, int64_t points, int64_t rail_no
     if (!line || !rail || !wheel || !s->wheel || !s->cut || !s->gap.work)
         return REASON_MEMORY;
     s->line = line_at(line, points);
-    s->silhouette = line_at(line + GAP_ARRAYS * points, points);
+    s->silhouette = line_at(line + GAP_LINE_ARRAYS * points, points);
     for (int64_t i = 0; i < SEARCH_BODIES; i++)
         s->rail[i] = curve_at(rail + i * GAP_ARRAYS * rail_nodes, rail_nodes);
     for (int64_t i = 0; i < SEARCH_KEPT; i++)
@@ -131,7 +130,7 @@ const char *search_begin(struct search *s, const struct prof *wheel, const struc
     int64_t wheel_nodes = widest(wheel, step) + 2 * spare;
     const char *why;
 
-    *s = (struct search){.mirror = wheel->side == 'l', .method = method, .radius = wheel->radius, .gap = {.step = step, .apart = APART}};
+    *s = (struct search){.mirror = wheel->side == 'l', .method = method, .radius = wheel->radius, .gap = {.step = step, .apart = GAP_APART}};
     s->wheel_position = s->mirror ? -wheel->position : wheel->position;
     s->rail_position = s->mirror ? -rail->position : rail->position;
     if ((why = search_room(s, points, widest(rail, step), wheel_nodes, yaws)))

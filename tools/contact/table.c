@@ -18,7 +18,8 @@
 #define YAW_MAX 0.02          /* rad, and how many, where not given */
 #define YAWS 21
 #define YAWS_THESIS 3
-#define LOAD 80e3             /* N, where not given: a wheel of a loaded coach */
+
+_Static_assert((int)SEARCH_MOST <= (int)CTAB_MOST, "a node holds what a search finds");
 
 /* A table being filled. */
 struct filling {
@@ -157,7 +158,7 @@ const char *table_fill(struct ctab *t, const struct prof *wheel, const struct pr
     *t = (struct ctab){
         .side = wheel->side, .yaws = method == TABLE_NONE ? 1 : g.yaws, .stations = rail->sections,
         .shear_modulus = g.shear_modulus, .poisson = g.poisson, .radius = wheel->radius,
-        .load = g.load > 0 ? g.load : LOAD, .rail_position = rail->position, .wheel_position = wheel->position,
+        .load = g.load > 0 ? g.load : TABLE_LOAD, .rail_position = rail->position, .wheel_position = wheel->position,
     };
     memcpy(t->normal, f.strips ? "strip" : "hertz", 5);
     if (f.strips)

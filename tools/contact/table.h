@@ -10,6 +10,8 @@
 /* Raise it by hand when the kernels' numbers change: part of the key of cached tables. */
 enum { TABLE_REVISION = 7 };
 
+#define TABLE_LOAD 80e3      /* N, on a contact where none is given: a wheel of a loaded coach */
+
 enum table_yaw {
     TABLE_NONE,              /* the orthogonal wheelset: one yaw, 0 */
     TABLE_THESIS,            /* the profile turned in two dimensions, closed over a section removed (thesis.h) */
@@ -28,7 +30,7 @@ struct table_grid {
     double shear_modulus;    /* Pa */
     double poisson;          /* 1 */
     int normal;              /* enum table_normal */
-    double load;             /* N, on a contact, under which patches are compared and made; 0: 80e3 */
+    double load;             /* N, on a contact, under which patches are compared and made; 0: TABLE_LOAD */
 };
 
 /* Are they a wheel and a rail of one side? */
