@@ -1,28 +1,15 @@
 #include "formats/export_points.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "formats/reason.h"
 
-static const char *section_find(const struct prof *p, const double *at, int64_t *section)
-{
-    *section = 0;
-    if (!at && p->sections > 1)
-        return reason("it holds %lld sections: say at which station", (long long)p->sections);
-    for (int64_t i = 1; at && i < p->sections; i++)
-        if (fabs(p->station[i] - *at) < fabs(p->station[*section] - *at))
-            *section = i;
-    return NULL;
-}
-
 const char *export_poly(const struct prof *p, const double *at, const char *body, int64_t *poly)
 {
-    int64_t section, found = 0;
-    const char *why = section_find(p, at, &section);
+    int64_t section = at ? prof_nearest(p, *at) : 0, found = 0;
 
-    if (why)
-        return why;
+    if (!at && p->sections > 1)
+        return reason("it holds %lld sections: say at which station", (long long)p->sections);
     for (int64_t i = 0; i < p->polys; i++)
         if (p->poly_section[i] == section && (!body || strcmp(body, p->body[p->poly_body[i]]) == 0)) {
             *poly = i;

@@ -98,6 +98,15 @@ const char *prof_read(struct prof *p, const struct vxf *f)
     return values_check(p);
 }
 
+int64_t prof_nearest(const struct prof *p, double s)
+{
+    int64_t best = 0;
+
+    for (int64_t i = 1; i < p->sections; i++)
+        best = fabs(p->station[i] - s) < fabs(p->station[best] - s) ? i : best;
+    return best;
+}
+
 const char *prof_put(const struct prof *p, struct vxf_out *o)
 {
     int64_t bodies[2] = {p->bodies, PROF_NAME}, firsts = p->polys + 1;

@@ -30,6 +30,9 @@ struct prof {
     void *store;                     /* what prof_free releases; NULL where the arrays belong to a file */
 };
 
+/* The section nearest to station s (m). */
+int64_t prof_nearest(const struct prof *p, double s);
+
 /* Points into f, which must outlive p.  Checks everything stated above. */
 const char *prof_read(struct prof *p, const struct vxf *f);
 const char *prof_put(const struct prof *p, struct vxf_out *o);

@@ -151,7 +151,7 @@ static void build_table(void)
     open_prof(&wheel_file, &wheel, opt.wheel);
     open_prof(&rail_file, &rail, opt.rail);
     if (!cli_cache_find(&cache, options, TABLE_REVISION, &wheel_file, &rail_file, &t)) {
-        cli_check(opt.rail, table_fill(&t, &wheel, &rail, (enum table_yaw)opt.yaw, &opt.grid));
+        cli_check(opt.rail, table_fill(&t, &wheel, &rail, opt.yaw, &opt.grid));
         cli_cache_keep(&cache, &t);
     }
     vxf_out_begin(&o, "ctab");

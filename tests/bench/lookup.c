@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <time.h>
 
+#include "tests/kernel/random.h"
 #include "tools/contact/lookup.h"
 
 #define STEP (80 / 3.6 * 1e-4)      /* m */
@@ -14,16 +15,6 @@
 enum { QUERIES = 100000, ROUNDS = 7 };
 
 struct query { double s, yaw, u, roll; };
-
-static double random_number(void)
-{
-    static uint64_t state = 88172645463325252u;
-
-    state ^= state << 13;
-    state ^= state >> 7;
-    state ^= state << 17;
-    return (double)(state >> 11) / 9007199254740992.0;
-}
 
 static double between(const double *axis, int64_t n)
 {

@@ -1,5 +1,6 @@
 /* The table against direct search at random points: S1002 on 60E1 1:40, every contact of 10 000 yaws and displacements, and of a nose that
  * rises between two sections. */
+#include "tests/kernel/random.h"
 #include "tests/kernel/shapes.h"
 #include "tests/kernel/tap.h"
 #include "tools/contact/lookup.h"
@@ -8,15 +9,6 @@
 enum { YAWS = 500, EACH = 20 };
 
 static const struct table_grid grid = {.u_max = 10e-3, .u_step = 1e-4, .yaw_max = 0.02, .yaws = 21, .shear_modulus = 82e9, .poisson = 0.28};
-
-static double random_number(void)
-{
-    static uint64_t state = 88172645463325252u;
-    state ^= state << 13;
-    state ^= state >> 7;
-    state ^= state << 17;
-    return (double)(state >> 11) / 9007199254740992.0;
-}
 
 /* Errors of the contacts of whole weight, on the tread and where the contact is steeper than 0.1 rad. */
 struct worst { double height, place, radius, sum; int n; };

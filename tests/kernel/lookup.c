@@ -1,20 +1,12 @@
 /* Interpolation in the contact table: nodes, derivatives by u, roll and station, continuity, ends. S1002 on 60E1 1:40. */
 #include "tools/contact/lookup.h"
 
+#include "tests/kernel/random.h"
 #include "tests/kernel/shapes.h"
 #include "tests/kernel/tap.h"
 #include "tools/contact/table.h"
 
 static const struct table_grid grid = {.u_max = 9e-3, .u_step = 1e-4, .yaw_max = 0.02, .yaws = 21, .shear_modulus = 82e9, .poisson = 0.28};
-
-static double random_number(void)
-{
-    static uint64_t state = 88172645463325252u;
-    state ^= state << 13;
-    state ^= state >> 7;
-    state ^= state << 17;
-    return (double)(state >> 11) / 9007199254740992.0;
-}
 
 /* Contact with the largest weight near wheel_y. */
 static const struct contact *nearest(const struct contact *c, int n, double wheel_y)

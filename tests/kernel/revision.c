@@ -51,7 +51,7 @@ int main(void)
     for (int64_t i = 0; i < rail->prof.points; i++)
         rail->fall[i] = 0.005;
     for (int m = 0; m < METHODS; m++) {
-        struct record r = measure(&wheel->prof, &rail->prof, (enum table_yaw)m);
+        struct record r = measure(&wheel->prof, &rail->prof, m);
         int as = r.rows == recorded[m].rows && r.links == recorded[m].links;
         for (int k = 0; k < MEANS; k++)
             as &= fabs(r.mean[k] - recorded[m].mean[k]) <= 1e-6 * fabs(recorded[m].mean[k]);

@@ -10,15 +10,6 @@
 
 #define STEP 1e-4            /* m, at most */
 
-static int64_t nearest_section(const struct prof *rail, double s)
-{
-    int64_t best = 0;
-
-    for (int64_t i = 1; i < rail->sections; i++)
-        best = fabs(rail->station[i] - s) < fabs(rail->station[best] - s) ? i : best;
-    return best;
-}
-
 /* The first contact of the search as a row, and its patch. */
 static const char *spot_make(const struct search *s, const struct spot_place *at, const struct ctab *t, double yaw, int64_t shift,
                              struct spot *o)
@@ -66,7 +57,7 @@ const char *spot_find(const struct prof *wheel, const struct prof *rail, const s
     int mirror = wheel->side == 'l';
     shift = (at->u < 0) != mirror ? -shift : shift;
     if (!(why = search_begin(&s, wheel, rail, yaws, 2, SEARCH_EXACT, step)) &&
-        !(why = search_section(&s, rail, nearest_section(rail, at->s))) &&
+        !(why = search_section(&s, rail, prof_nearest(rail, at->s))) &&
         !(why = spot_make(&s, at, &t, mirror ? -at->yaw : at->yaw, shift, o)) && mirror)
         spot_mirror(o);
     search_free(&s);

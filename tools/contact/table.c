@@ -147,7 +147,9 @@ static const char *grid_complete(const struct prof *wheel, const struct prof *ra
 const char *table_fill(struct ctab *t, const struct prof *wheel, const struct prof *rail, enum table_yaw method,
                        const struct table_grid *grid)
 {
-    static const char *const name[] = {"none", "thesis", "exact"};
+    static const struct { const char *name; enum search_method search; } methods[] = {
+        [TABLE_NONE] = {"none", SEARCH_PLANE}, [TABLE_THESIS] = {"thesis", SEARCH_THESIS}, [TABLE_EXACT] = {"exact", SEARCH_EXACT},
+    };
     struct table_grid g = *grid;
     struct filling f = {.t = t, .strips = grid->normal == TABLE_STRIP};
     const char *why = table_pair(wheel, rail);
@@ -163,9 +165,9 @@ const char *table_fill(struct ctab *t, const struct prof *wheel, const struct pr
     memcpy(t->normal, f.strips ? "strip" : "hertz", 5);
     if (f.strips)
         strip_law(g.shear_modulus, g.poisson, &f.law);
-    memcpy(t->yaw_method, name[method], strlen(name[method]));
+    memcpy(t->yaw_method, methods[method].name, strlen(methods[method].name));
     if (!(why = axes_room(&f, rail, &g)))
-        why = search_begin(&f.search, wheel, rail, t->yaw, t->yaws, (enum search_method)method, g.u_step);
+        why = search_begin(&f.search, wheel, rail, t->yaw, t->yaws, methods[method].search, g.u_step);
     for (int64_t is = 0; !why && is < t->stations; is++) {
         why = search_section(&f.search, rail, is);
         for (int64_t iy = 0; !why && iy < t->yaws; iy++)

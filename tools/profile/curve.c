@@ -43,6 +43,16 @@ void curve_at(const struct curve *c, double s, double *y, double *z, double *slo
     *curvature = (Y[1] * Z[2] - Z[1] * Y[2]) / pow(Y[1] * Y[1] + Z[1] * Z[1], 1.5);
 }
 
+void curve_point(const struct curve *c, double s, double p[2])
+{
+    double f[3];
+
+    spline_at(&c->y, s, f);
+    p[0] = f[0];
+    spline_at(&c->z, s, f);
+    p[1] = f[0];
+}
+
 struct curve_residual curve_compare(const struct curve *c, const struct points *p)
 {
     struct curve_residual r = {0};

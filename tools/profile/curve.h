@@ -23,6 +23,9 @@ void curve_free(struct curve *c);
 /* y, z, slope dz/dy and curvature (y' z'' - z' y'')/(y'^2 + z'^2)^1.5 at length s. */
 void curve_at(const struct curve *c, double s, double *y, double *z, double *slope, double *curvature);
 
+/* Only y and z (m). */
+void curve_point(const struct curve *c, double s, double p[2]);
+
 struct curve_residual curve_compare(const struct curve *c, const struct points *p);
 
 #endif

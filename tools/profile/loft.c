@@ -33,16 +33,6 @@ void loft_free(struct loft *l)
     *l = (struct loft){0};
 }
 
-static void curve_point(const struct curve *c, double at, double p[2])
-{
-    double f[3];
-
-    spline_at(&c->y, at, f);
-    p[0] = f[0];
-    spline_at(&c->z, at, f);
-    p[1] = f[0];
-}
-
 /* One chord of a line: from section i through `at` to section i + way, where it is at `to`. */
 struct chord { double to, length, slope[2]; };
 

@@ -8,25 +8,15 @@
 #define SHORTEST 5e-3    /* m */
 #define MARGIN 2e-4      /* m, a feature nearer to an end is that end */
 
-static void point_at(const struct curve *c, double s, double *y, double *z)
-{
-    double f[3];
-
-    spline_at(&c->y, s, f);
-    *y = f[0];
-    spline_at(&c->z, s, f);
-    *z = f[0];
-}
-
 static void piece_make(const struct curve *c, const struct curve *shape, double from, double to, struct piece *p)
 {
-    double y, z;
+    double at[2];
 
     *p = (struct piece){.from = from, .to = to, .y_least = INFINITY, .y_most = -INFINITY, .features = FEATURES};
     for (int64_t i = 0, n = (int64_t)((to - from) / STEP); i <= n; i++) {
-        point_at(c, from + (to - from) * (double)i / (double)n, &y, &z);
-        p->y_least = fmin(p->y_least, y);
-        p->y_most = fmax(p->y_most, y);
+        curve_point(c, from + (to - from) * (double)i / (double)n, at);
+        p->y_least = fmin(p->y_least, at[0]);
+        p->y_most = fmax(p->y_most, at[0]);
     }
     features_find(shape, from, to, p->feature);
     for (int k = 0; k < FEATURES; k++)
@@ -37,13 +27,13 @@ static void piece_make(const struct curve *c, const struct curve *shape, double 
 int piece_cut(const struct curve *c, const struct curve *shape, double from, double to, double deepest, struct piece piece[PIECES_MOST])
 {
     int64_t steps = (int64_t)ceil((to - from) / STEP);
-    double begin = NAN, before = INFINITY, y, z;
+    double begin = NAN, before = INFINITY, at[2];
     int n = 0;
 
     for (int64_t i = 0; i <= steps; i++) {
         double s = from + (to - from) * (double)i / (double)steps, step = (to - from) / (double)steps;
-        point_at(c, s, &y, &z);
-        double crossing = isfinite(before) ? s - step * (z - deepest) / (z - before) : s;
+        curve_point(c, s, at);
+        double z = at[1], crossing = isfinite(before) ? s - step * (z - deepest) / (z - before) : s;
         if (z <= deepest && isnan(begin))
             begin = crossing;
         if (!isnan(begin) && (z > deepest || i == steps)) {
