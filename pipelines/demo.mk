@@ -45,8 +45,13 @@ $D/switch-contact.png: PLOT = --figure contact --station 6.5 --u -0.005 --yaw -0
 $D/crossing-contact.png: PLOT = --figure contact --station 47.2 --u -0.0035 --yaw -0.002
 $D/crossing-sequence.png: $D/wheel-l.prof $D/turnout-l.prof $D/turnout-l.ctab
 $D/crossing-sequence.png: PLOT = --size 1600x1050 --figure sequence --from 46.8 --to 47.35 --u -0.0035 --yaw -0.002
-$D/crossing-path.png: $D/turnout-l.ctab
-$D/crossing-path.png: PLOT = --size 1600x1100 --figure path --from 46 --to 48 --yaw -0.002
+PATHS = $(US:%=$D/crossing-path%.txt)
+US = -4 -2 +0 +2 +4
+$(PATHS): $D/turnout-l.ctab
+$(PATHS): ASK = --path u=$(@:$D/crossing-path%.txt=%)e-3,from=46,to=48,step=0.002,yaw=-0.002
+$D/crossing-path.png: $(PATHS)
+$D/crossing-path.png: PLOT = --size 1600x1100 --figure path $(foreach u,$(US),--label "$(u:+%=%) mm") \
+    --title "Path of the left wheel at five u, and its kink; yaw −2 mrad"
 $D/contact-jump.png: $D/wheel-r.prof $D/rail40-r.prof $D/rail40-r.ctab
 $D/contact-jump.png: PLOT = --figure pairs
 $D/rolling-radius.png: $D/rail40-l.ctab $D/rail40-r.ctab

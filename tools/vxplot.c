@@ -74,7 +74,7 @@ static int is_text(const char *path)
 
     if (strcmp(path, "-") == 0) {
         for (const struct figure *f = figures; f->name && opt.figure; f++)
-            text |= strcmp(f->name, opt.figure) == 0 && strcmp(f->kinds, "text") == 0;
+            text |= strcmp(f->name, opt.figure) == 0 && strncmp(f->kinds, "text", 4) == 0;
         return text;
     }
     FILE *file = fopen(path, "rb");

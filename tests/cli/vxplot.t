@@ -42,7 +42,11 @@ draws "contact pairs" 800x450 vxplot --size 800x450 --figure pairs wl.prof rl.pr
 vxcontact --wheel wl.prof --rail turnout.prof --yaw none -o turnout.ctab
 draws "a wheel through the crossing, a sheet" 800x450 \
     vxplot --size 800x450 --figure sequence --from 46.8 --to 47.3 --stations 6 wl.prof turnout.prof turnout.ctab
-draws "its path" 800x450 vxplot --size 800x450 --figure path --from 46 --to 48 turnout.ctab
+for u in -2 2; do
+    vxcontact --path u=${u}e-3,from=46,to=48,step=0.002 turnout.ctab >path$u.txt
+done
+draws "its path at two displacements" 800x450 vxplot --size 800x450 --figure path --label one --label two path-2.txt path2.txt
+draws "a window of it, through a pipe" 800x450 sh -c 'vxplot --size 800x450 --figure path --from 46.7 --to 47.3 - <path2.txt'
 vxplot --size 800x450 --figure sequence --from 46.8 --to 47.3 --stations 3 --each -o frame.png wl.prof turnout.prof turnout.ctab
 is "$(echo frame*.png)" "frame-01.png frame-02.png frame-03.png" "the same in numbered frames"
 cmp -s frame-01.png frame-02.png
@@ -74,7 +78,7 @@ fails 2 "a size too small" vxplot --size 100x100 a.run
 fails 2 "a size too large" vxplot --size 5000x900 a.run
 fails 2 "a mark without words" vxplot --mark 3 a.run
 fails 2 "a sleeper that is no number" vxplot --figure pads --sleeper two a.run
-fails 2 "frames of another figure" vxplot --each -o frame.png --figure path turnout.ctab
+fails 2 "frames of another figure" vxplot --each -o frame.png --figure path path2.txt
 fails 2 "frames on standard output" vxplot --each --figure sequence wl.prof turnout.prof turnout.ctab
 fails 2 "an abbreviated option" vxplot --fig vertical a.run
 fails 1 "a sleeper that is not there" vxplot --figure pads --sleeper 999 a.run
@@ -86,7 +90,7 @@ fails 1 "profiles of another side than the table" vxplot wl.prof rl.prof r.ctab
 fails 1 "tables swapped" vxplot r.ctab l.ctab
 fails 1 "a window with nothing in it" vxplot --from 3 --to 2 a.run
 fails 1 "no station in the window" vxplot --figure sequence --from 1000 --to 2000 wl.prof turnout.prof turnout.ctab
-fails 1 "a path along a single station" vxplot --figure path l.ctab
+fails 1 "a table that is no path" vxplot --figure path radius.txt
 fails 1 "a table without conicities" vxplot --figure conicity radius.txt
 fails 1 "no section in the window" vxplot --from 1000 --to 2000 turnout.prof
 fails 1 "a file that is not there" vxplot none.run

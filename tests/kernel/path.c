@@ -1,78 +1,68 @@
-/* The wheel's path as drawn is the one the simulation looks up: a contact that goes on, one that ends, one that begins. */
+/* The kink a path shows: between straight lines, at a change of body, where both sides are long enough. */
 #include "tools/draw/path.h"
 
+#include <string.h>
+
 #include "tests/kernel/tap.h"
-#include "tools/contact/lookup.h"
 
-enum { STATIONS = 3, US = 2, ROWS = 12 };
+enum { ROWS = 201, COLUMNS = 5, CHANGE = 100 };
 
-static const double station[STATIONS] = {46.9, 46.95, 47.0}, yaw[1], u[US] = {-1e-3, 1e-3};
-static float row[ROWS][CTAB_N];
-static uint8_t link[ROWS][CTAB_LINKS];
-static int32_t first[STATIONS * US + 1];
-static struct ctab table = {
-    .side = 'l', .yaw_method = "none", .radius = 0.46, .rail_position = -0.7535, .wheel_position = -0.75, .stations = STATIONS, .yaws = 1,
-    .us = US, .station = station, .yaw = yaw, .u = u, .first = first, .row = row[0], .link = link[0],
+static double value[COLUMNS][ROWS];
+static struct columns table = {
+    .n = COLUMNS,
+    .rows = ROWS,
+    .name = {"station", "body", "x", "rail_y", "height"},
+    .value = {value[0], value[1], value[2], value[3], value[4]},
 };
 
-/* A row of height and slope along the track, touching at y, `on` the link to the next station. */
-static void row_add(double height, double slope, double y, int on)
+/* Falls by 3 mrad up to row CHANGE - 1, then rises by 5 mrad, in steps of 2 mm; the contact goes from -40 mm to 20 mm. */
+static void table_make(int nose)
 {
-    float *r = row[table.rows];
-
-    r[CTAB_HEIGHT] = (float)height;
-    r[CTAB_HEIGHT_S] = (float)slope;
-    r[CTAB_RAIL_Y] = (float)y;
-    r[CTAB_X] = (float)(-0.46 * slope);
-    r[CTAB_HERTZ_C] = 1e11f;
-    link[table.rows++][CTAB_LINK_STATION] = (uint8_t)on;
+    for (int i = 0; i < ROWS; i++) {
+        double s = 46.8 + 0.002 * i;
+        int before = i < CHANGE;
+        value[0][i] = s;
+        value[1][i] = before ? 1 : nose;
+        value[3][i] = before ? -0.04 : 0.02;
+        value[4][i] = before ? 0.003 * (s - 47) : -0.005 * (s - 47);
+    }
 }
 
-/* The wing rail falls away, with a hump that ends at the second station; the nose rises from there. */
-static void table_make(void)
+static void check(const char *want, const char *what)
 {
-    for (int k = 0; k < US; k++) {
-        first[k] = (int32_t)table.rows;
-        row_add(-2e-4, 6e-3, -0.030, 0);
-        row_add(-1e-4, 4e-3, -0.035, 1);
-    }
-    for (int k = 0; k < US; k++) {
-        first[US + k] = (int32_t)table.rows;
-        row_add(2e-4, 8e-3, -0.036, 2);
-        row_add(5e-4, -9e-3, 0.020, 1);
-    }
-    for (int k = 0; k < US; k++) {
-        first[2 * US + k] = (int32_t)table.rows;
-        row_add(-1e-4, -5e-3, 0.022, 0);
-        row_add(6e-4, 8e-3, -0.040, 0);
-    }
-    first[STATIONS * US] = (int32_t)table.rows;
+    struct chart c;
+
+    chart_begin(&c);
+    const char *why = path_add(&c, &table, 0, "wheel");
+    ok(!why && c.panels == 3 && strcmp(c.panel[0].series->label, want) == 0, "%s: %s%s", what, c.panel[0].series->label, why ? why : "");
+    const struct chart_series *disc = c.panel[0].series->next;
+    ok(strcmp(want, "wheel") == 0 ? !disc : disc && disc->n == 1 && disc->x[0] == value[0][CHANGE], "a disc there");
+    ok(isnan(c.panel[1].series->y[CHANGE]) && c.panel[1].series->y[CHANGE + 1] == 0.02 && !isnan(c.panel[0].series->y[CHANGE]),
+       "the contact's line is parted, the wheel's is not");
+    chart_free(&c);
 }
 
 int main(void)
 {
-    double worst[PATH_VALUES] = {0}, before = NAN;
-    int changes = 0, samples = 0;
+    struct chart c;
 
-    table_make();
-    for (int64_t i = 0; i + 1 < STATIONS; i++)
-        for (double part = 0.02; part < 1; part += 0.04) {
-            double value[PATH_VALUES], s = (1 - part) * station[i] + part * station[i + 1];
-            struct contact c[CONTACT_MAX];
-            int n = contact_lookup(&table, s, 0, u[0], 0, c), k = 0;
-            while (k + 1 < n && c[k].weight < 0.5)
-                k++;
-            path_between(&table, i, 0, 0, part, value);
-            worst[0] = fmax(worst[0], fabs(value[0] - c[k].height));
-            worst[1] = fmax(worst[1], fabs(value[1] - c[k].row[CTAB_RAIL_Y]));
-            worst[2] = fmax(worst[2], fabs(value[2] - c[k].row[CTAB_X]));
-            changes += fabs(value[1] - before) > 3e-3;
-            before = value[1];
-            samples += n > 0;
-        }
-    ok(samples == 50 && changes == 2, "fifty places, two changes of contact (%d, %d)", samples, changes);
-    near(worst[0], 0, 1e-9, "height as looked up");
-    near(worst[1], 0, 1e-8, "place on the rail as looked up");
-    near(worst[2], 0, 1e-8, "place ahead as looked up");
+    table_make(2);
+    check("wheel: 8.0 mrad", "from body to body");
+    for (int i = 0; i < ROWS; i++)
+        value[4][i] += 1e-5 * (i % 2 ? 1 : -1);
+    check("wheel: 8.0 mrad", "rough by 0.01 mm");
+    table_make(1);
+    check("wheel", "on one body");
+    table_make(2);
+    value[1][CHANGE + 20] = 1;
+    check("wheel", "back on the first body after 40 mm");
+    table_make(2);
+    table.rows = CHANGE + 20;
+    check("wheel", "rows that end after 40 mm");
+    chart_begin(&c);
+    table.n = COLUMNS - 1;
+    const char *why = path_add(&c, &table, 0, "wheel");
+    ok(why && strstr(why, "height"), "a table without height: %s", why ? why : "");
+    chart_free(&c);
     return done();
 }

@@ -90,15 +90,6 @@ static const char *make_radius(struct chart *c, int n, const struct figure_input
     return why ? why : radius_chart(c, &left, &right, o->at.station, o->at.yaw);
 }
 
-static const char *make_path(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
-{
-    struct ctab t;
-    const char *why = ctab_read(&t, in[0].file);
-
-    (void)n;
-    return why ? why : path_chart(c, &t, &o->at, o->from, o->to);
-}
-
 static const char *make_modes(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
 {
     struct mod m;
@@ -142,6 +133,16 @@ static const char *make_yaw(struct chart *c, int n, const struct figure_input *i
     return why;
 }
 
+static const char *make_path(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
+{
+    const char *why = NULL;
+
+    (void)o;
+    for (int k = 0; k < n && !why; k++)
+        why = path_add(c, in[k].table, k, in[k].label ? in[k].label : in[k].name);
+    return why;
+}
+
 static const char *make_runs(runs_add *add, struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
 {
     const char *why = NULL;
@@ -162,10 +163,10 @@ const struct figure figures[] = {
     {"contact", "prof prof ctab", "wheel on rail and its contact points, at --station --yaw --u", make_contact, NULL},
     {"pairs", "prof prof ctab", "points of wheel and rail that touch, over all displacements", make_pairs, NULL},
     {"sequence", "prof prof ctab", "wheel on rail at --stations of the track", make_sequence, NULL},
-    {"path", "ctab", "height of a wheel and place of its contact along the track", make_path, NULL},
     {"radius", "ctab ctab", "rolling radius difference over lateral displacement", make_radius, NULL},
     {"radius", "text", "the same from vxcontact --rolling-radius, with roll", make_rolling_radius, NULL},
     {"yaw", "text ...", "the contact that touches, from vxcontact --sweep, by method", make_yaw, NULL},
+    {"path", "text ...", "height of a wheel and place of its contact, from vxcontact --path", make_path, NULL},
     {"conicity", "text", "equivalent conicity over amplitude, from vxcontact --conicity", make_conicity, NULL},
     {"table", "text", "columns of numbers over the first, a panel for each unit", make_table, NULL},
     {"vertical", "run ...", "vertical force Q of --wheelset, left and right", NULL, runs_vertical},

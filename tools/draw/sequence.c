@@ -3,6 +3,7 @@
 #include <math.h>
 
 static const double deep = 0.034, high = 0.014;      /* m, shown below and above the top of the rail */
+static const double foot = 0.0285;                   /* m, below it, where the rails are cut off: what profiles reach */
 static const double reach = 0.006;                   /* m, shown beside the wheel */
 static const double words = 13;                      /* pt, above a cell, for its station */
 static const double paper = 440;                     /* pt, width of the grid in print */
@@ -49,18 +50,16 @@ static struct chart_series *cell_line(struct chart *c, struct chart_panel *panel
     return chart_add_series(c, panel, NULL, n, px, py);
 }
 
-/* The material below the line y, z [n] as far as the cell shows it. */
+/* The material below the line y, z [n], to the bottom of the cell, also where the line ends above. */
 static void cell_body(struct chart *c, struct chart_panel *panel, const struct cell *e, int64_t n, const double *y, const double *z,
                       unsigned colour)
 {
-    double *px = chart_numbers(c, n + 2), *py = chart_numbers(c, n + 2), deepest = -INFINITY;
+    double *px = chart_numbers(c, n + 2), *py = chart_numbers(c, n + 2);
 
     if (!px || !py)
         return;
-    for (int64_t i = 0; i < n; i++)
-        deepest = fmax(deepest, z[i]);
     for (int64_t i = 0; i < n + 2; i++) {
-        double at = i < n ? y[i] : i == n ? y[n - 1] : y[0], depth = i < n ? z[i] : deepest;
+        double at = i < n ? y[i] : i == n ? y[n - 1] : y[0], depth = i < n ? z[i] : e->bottom;
         px[i] = clamp(at, e->left, e->right) - e->left + e->y;
         py[i] = clamp(depth, e->top, e->bottom) - e->top + e->z;
     }
@@ -70,17 +69,19 @@ static void cell_body(struct chart *c, struct chart_panel *panel, const struct c
 }
 
 /* Bodies of the section nearest to a station. */
-static void cell_rails(struct chart *c, struct chart_panel *panel, const struct cell *e, const struct prof *rail, double station)
+static void cell_rails(struct chart *c, struct chart_panel *panel, const struct cell *whole, const struct prof *rail, double station)
 {
+    struct cell e = *whole;
     int64_t section = contact_nearest(rail->sections, rail->station, station);
 
+    e.bottom = foot;
     for (int64_t k = 0; k < rail->polys; k++) {
         if (rail->poly_section[k] != section)
             continue;
         int64_t first = rail->poly_first[k], n = rail->poly_first[k + 1] - first;
         unsigned colour = chart_colour((int)rail->poly_body[k]);
-        cell_body(c, panel, e, n, rail->y + first, rail->z + first, colour);
-        cell_line(c, panel, e, n, rail->y + first, rail->z + first, 0, 0)->colour = colour;
+        cell_body(c, panel, &e, n, rail->y + first, rail->z + first, colour);
+        cell_line(c, panel, &e, n, rail->y + first, rail->z + first, 0, 0)->colour = colour;
     }
 }
 
