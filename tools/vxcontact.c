@@ -10,7 +10,7 @@
 
 #include "formats/ctab.h"
 #include "formats/prof.h"
-#include "tools/contact/rows.h"
+#include "tools/contact/report.h"
 #include "tools/contact/spot.h"
 #include "tools/contact/sweep.h"
 #include "tools/contact/table.h"
@@ -78,7 +78,7 @@ static const struct cli_program program = {
     .option = options,
 };
 
-static const struct rows_printer printer = {cli_header, cli_row};
+static const struct report_printer printer = {cli_header, cli_row};
 
 /* Exactly one of the forms of the usage. */
 static char **parse(int argc, char **argv)
@@ -133,7 +133,7 @@ static void print_patch(void)
     open_prof(&wheel_file, &wheel, opt.wheel);
     open_prof(&rail_file, &rail, opt.rail);
     cli_check(opt.rail, spot_find(&wheel, &rail, &at, &spot));
-    spot_rows(&spot, at.load, &printer);
+    spot_report(&spot, at.load, &printer);
     prof_free(&wheel);
     prof_free(&rail);
     vxf_close(&wheel_file);
@@ -178,7 +178,7 @@ static void print_query(const char *path)
 
     cli_items("query", opt.query, item, 4);
     open_table(&f, &t, path, 0);
-    cli_check(path, rows_query(&t, s, yaw, u, roll, &printer));
+    cli_check(path, report_query(&t, s, yaw, u, roll, &printer));
     vxf_close(&f);
 }
 
@@ -192,11 +192,11 @@ static void print_path(const char *path)
 
     cli_items("path", opt.path, item, 6);
     open_table(&f, &t, path, 0);
-    cli_check(path, rows_path(&t, from, to, step, yaw, u, roll, &printer));
+    cli_check(path, report_path(&t, from, to, step, yaw, u, roll, &printer));
     vxf_close(&f);
 }
 
-static void print_tables(char **path)
+static void print_sweep(char **path)
 {
     double yaw = 0, s = 0;
     const struct cli_item item[] = {{"yaw", &yaw, -0.1, 0.1, 1}, {"s", &s, -1e5, 1e5, 0}};
@@ -207,7 +207,7 @@ static void print_tables(char **path)
     cli_items("sweep", opt.sweep, item, 2);
     for (; path[n]; n++)
         open_table(&f[n], &t[n], path[n], n ? t[0].side : 0);
-    cli_check("sweep", rows_tables(t, n, s, yaw, &printer));
+    cli_check("sweep", report_sweep(t, n, s, yaw, &printer));
     while (n > 0)
         vxf_close(&f[--n]);
 }
@@ -216,7 +216,7 @@ static void print_pair(char **path)
 {
     double y = 0, load = 0;
     struct ctab t[2];
-    struct rows_pair pair = {.left = &t[0], .right = &t[1], .roll_free = !opt.no_roll};
+    struct report_pair pair = {.left = &t[0], .right = &t[1], .roll_free = !opt.no_roll};
     const struct cli_item item[] = {{"y", &y, -1, 1, 1}, {"yaw", &pair.yaw, -0.1, 0.1, 0}, {"s", &pair.s, -1e5, 1e5, 0}, {"load", &load, 0, 1e7, 0}};
     struct vxf f[2];
 
@@ -225,11 +225,11 @@ static void print_pair(char **path)
     open_table(&f[0], &t[0], path[0], 'l');
     open_table(&f[1], &t[1], path[1], 'r');
     if (opt.wheelset)
-        cli_check("wheelset", rows_wheelset(&pair, y, load, &printer));
+        cli_check("wheelset", report_wheelset(&pair, y, load, &printer));
     else if (opt.rolling_radius)
-        cli_check("wheelset", rows_rolling_radius(&pair, &printer));
+        cli_check("wheelset", report_rolling_radius(&pair, &printer));
     else
-        cli_check("conicity", rows_conicity(&pair, opt.amplitude, opt.amplitudes, &printer));
+        cli_check("conicity", report_conicity(&pair, opt.amplitude, opt.amplitudes, &printer));
     vxf_close(&f[0]);
     vxf_close(&f[1]);
 }
@@ -247,7 +247,7 @@ int main(int argc, char **argv)
     else if (opt.path)
         print_path(operand[0]);
     else if (opt.sweep)
-        print_tables(operand);
+        print_sweep(operand);
     else if (opt.wheelset || opt.rolling_radius || opt.conicity)
         print_pair(operand);
     else

@@ -20,7 +20,7 @@
 #include "tools/profile/check.h"
 #include "tools/profile/gauge.h"
 #include "tools/profile/orient.h"
-#include "tools/profile/route.h"
+#include "tools/profile/measured_input.h"
 #include "tools/profile/turnout.h"
 #include "tools/profile/zones.h"
 
@@ -133,7 +133,7 @@ static void sections_measure(const char *path, const struct prof_text *t, struct
 
     for (int64_t i = 0; list && i < n; i++)
         cli_check(path, sections_read(&list[i], t, i ? &extra[i - 1].from : &t->sections.from, hash));
-    cli_check(path, list ? route_sections(t, list, s, sections) : REASON_MEMORY);
+    cli_check(path, list ? measured_input(t, list, s, sections) : REASON_MEMORY);
     for (int64_t i = 0; i < n; i++)
         sections_free(&list[i]);
     free(list);

@@ -1,23 +1,8 @@
 #!/bin/sh
 # vxcontact: tables of S1002 on 60E1 1:40, queries, a resting wheelset, conicity, misuse; Manchester contact benchmark A-2.2.
+. tests/tap.sh
 bin=build/bin
-tmp=$(mktemp -d) || exit 1
-trap 'rm -rf "$tmp"' EXIT
-n=0
-# ok STATUS TEXT
-ok() {
-    n=$((n + 1))
-    if [ "$1" -eq 0 ]; then echo "ok $n - $2"; else echo "not ok $n - $2"; fi
-}
-# fails STATUS TEXT COMMAND...: exits so, with one line on stderr and nothing on stdout
-fails() {
-    want=$1 text=$2
-    shift 2
-    "$@" >"$tmp/out" 2>"$tmp/err"
-    got=$?
-    [ $got -eq "$want" ] && [ ! -s "$tmp/out" ] && [ "$(wc -l <"$tmp/err")" -eq 1 ]
-    ok $? "$text: exit $want, one line on stderr"
-}
+tmp=$dir
 
 for s in l r; do
     $bin/vxprofile --side $s data/profiles/S1002.yaml -o "$tmp/w$s.prof" &&
@@ -35,21 +20,30 @@ ok $? "a table without yaw goes through a pipe into a query"
 # What a query says on the right at u, yaw it says on the left at -u, -yaw with y and angle of other sign.
 $bin/vxcontact --query u=0.0031,yaw=0.0077 "$r" | awk 'NR == 2 {print $2, +$3, +$6, +$7, $5}' >"$tmp/right"
 $bin/vxcontact --query u=-0.0031,yaw=-0.0077 "$l" | awk 'NR == 2 {print $2, -$3, -$6, -$7, $5}' >"$tmp/left"
-cmp -s "$tmp/left" "$tmp/right"
+[ -s "$tmp/right" ] && cmp -s "$tmp/left" "$tmp/right"
 ok $? "left mirrors right"
 
 $bin/vxcontact --wheelset y=0,load=80000 "$l" "$r" | awk 'NR == 2 {z = $1; roll = $2} $1 == "l" {a += $3 * cos($10)} $1 == "r" {b += $3 * cos($10)}
     END {exit !(roll < 1e-12 && roll > -1e-12 && a > 79999.9 && a < 80000.1 && b > 79999.9 && b < 80000.1)}'
 ok $? "centred under 80 kN a wheel: level, both sides carry it"
-$bin/vxcontact --wheelset y=0.007 "$l" "$r" | awk 'NR == 2 {exit !($1 < -0.004 && $2 < -0.005)}'
+$bin/vxcontact --wheelset y=0.007 "$l" "$r" | awk 'NR == 2 {holds = $1 < -0.004 && $2 < -0.005} END {exit !holds}'
 ok $? "at 7 mm the right flange has climbed: up and rolled to the left"
 
 for roll in "" --no-roll; do
-    $bin/vxcontact $roll --conicity 0.003 "$l" "$r" | awk 'NR == 2 {print "# equivalent conicity at 3 mm:", $2; d = $2 - 0.175} END {exit !(d < 0.005 && d > -0.005)}'
+    $bin/vxcontact $roll --conicity 0.003 "$l" "$r" | awk 'NR == 2 {print "# equivalent conicity at 3 mm:", $2; d = $2 - 0.175; n++} END {exit !(n == 1 && d < 0.005 && d > -0.005)}'
     ok $? "equivalent conicity at 3 mm is 0.175 within 0.005 $roll"
 done
 $bin/vxcontact --rolling-radius "$l" "$r" | awk 'NR > 1 && $1 > 0.00099 && $1 < 0.00101 {d = $3} END {exit !(d > 0.0006 && d < 0.00063)}'
 ok $? "rolling radius difference at 1 mm is 0.61 mm"
+
+# On a rail that is the same everywhere the path is the contact that a query gives first.
+$bin/vxcontact --path u=0.003,from=-1,to=1,step=0.5,yaw=0.002 "$r" | awk 'NR > 1 {print $3, $4, $6}' | sort -u >"$tmp/path"
+$bin/vxcontact --query u=0.003,yaw=0.002 "$r" | awk 'NR == 2 {print $2, $3, $5}' >"$tmp/query"
+[ -s "$tmp/path" ] && cmp -s "$tmp/path" "$tmp/query"
+ok $? "a path along a rail that runs on unchanged stays in its contact"
+is "$($bin/vxcontact --path u=0,from=-1,to=1,step=0.5 "$r" | awk 'NR > 1 {printf "%s ", $1}')" "-1 -0.5 0 0.5 1 " "at the stations asked for, both ends"
+fails 1 "a path backwards" $bin/vxcontact --path u=0,from=1,to=0,step=0.1 "$r"
+fails 1 "a path beyond the table" $bin/vxcontact --path u=0.02,from=0,to=1,step=0.1 "$r"
 
 $bin/vxcontact --patch u=0.003,load=80000,yaw=0.007 --wheel "$tmp/wr.prof" --rail "$tmp/rr.prof" | awk 'NR > 2 {$1 = ""} 1' | tail -n +4 >"$tmp/right"
 $bin/vxcontact --patch u=-0.003,load=80000,yaw=-0.007 --wheel "$tmp/wl.prof" --rail "$tmp/rl.prof" | awk 'NR > 2 {$1 = ""} 1' | tail -n +4 | tac >"$tmp/left"
@@ -61,7 +55,7 @@ ok $? "a table of strips says so"
 # The table's stiffness and ellipse under its load are the patch's own: approach (N/C)^(2/3), semi-axes.
 $bin/vxcontact --query u=0.003 "$tmp/strip.ctab" | awk 'NR == 2 {print exp(log(80000 / $11) * 2 / 3), $12 * exp(log(80000) / 3), $13 * exp(log(80000) / 3)}' >"$tmp/table"
 $bin/vxcontact --patch u=0.003,load=80000 --wheel "$tmp/wr.prof" --rail "$tmp/rr.prof" | awk 'NR == 2 {print $5, $11, $12}' >"$tmp/one"
-paste "$tmp/table" "$tmp/one" | awk '{for (i = 1; i <= 3; i++) {d = $i / $(i + 3) - 1; if (d < -0.01 || d > 0.01) bad = 1}} END {exit bad}'
+paste "$tmp/table" "$tmp/one" | awk 'NF != 6 {bad = 1} {for (i = 1; i <= 3; i++) {d = $i / $(i + 3) - 1; if (d < -0.01 || d > 0.01) bad = 1}} END {exit bad || !NR}'
 ok $? "its stiffness and ellipse are those of the patch under the load"
 
 fails 2 "patch without a rail" $bin/vxcontact --patch u=0,load=1e4 --wheel "$tmp/wl.prof"
@@ -118,10 +112,9 @@ if [ -r $data/mbench_a22.csv ]; then
     within 5 0.3 "$wide" "place on the rail within 0.3 mm"
     within 4 0.16 "" "longitudinal place within 0.16 mm"
     within 7 0.01 "$wide" "contact angle within 0.01 rad"
-    awk '$1 == "r" && $8 < -0.8 {exit !($2 == 6.5)}' "$tmp/manchester"
+    awk '$1 == "r" && $8 < -0.8 {first = $2; exit} END {exit !(first == 6.5)}' "$tmp/manchester"
     ok $? "Manchester A-2.2: the flange touches first at 6.5 mm"
 else
-    n=$((n + 1))
-    echo "ok $n # SKIP no $data/mbench_a22.csv: Manchester contact benchmark not compared"
+    echo "# SKIP no $data/mbench_a22.csv: Manchester contact benchmark not compared"
 fi
-echo "1..$n"
+done_testing

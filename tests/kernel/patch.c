@@ -57,7 +57,7 @@ static struct result result(struct shape (*gap)(double), double phi)
     struct gap_curve rail = curve(0, gap, 0, phi), wheel = curve(1, gap, 1, phi);
     const struct gap_search search = {.step = STEP, .apart = 4e-3, .work = work};
     const struct gap_pair pair = {&rail, &wheel, 0, STEP};
-    static struct strip_row row[PATCH_ROWS];
+    static struct strip strip[PATCH_STRIPS];
     struct gap_minimum m[3];
     struct result r = {0};
 
@@ -65,7 +65,7 @@ static struct result result(struct shape (*gap)(double), double phi)
         return (struct result){.shape = (double)NAN};
     hertz_contact(A, 20, 82e9, 0.28, &r.hertz);
     r.shape = patch_deviation(&pair, m, 20, &r.hertz, LOAD);
-    patch_rows(&pair, m, 20, &r.hertz, LOAD, &law, PATCH_ALL, row, &r.all);
+    patch_strips(&pair, m, 20, &r.hertz, LOAD, &law, PATCH_ALL, strip, &r.all);
     patch_hertz(&pair, m, 20, LOAD, &law, &r.hertz);
     return r;
 }

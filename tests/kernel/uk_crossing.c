@@ -12,7 +12,7 @@
 #include "formats/sections.h"
 #include "tools/contact/search.h"
 #include "tools/profile/gauge.h"
-#include "tools/profile/route.h"
+#include "tools/profile/measured_input.h"
 #include "tools/profile/zones.h"
 
 #define FOLDER "../shared/data/"
@@ -35,7 +35,7 @@ static const char *rail_make(struct prof *p, struct set *set)
     uint64_t hash = 0;
     const char *why = prof_text_file(&t, FOLDER "contact_profiles/uk_crossing.slcs", PROF_SECTIONS, PROF_UNSTATED, keys, 3, &hash);
 
-    if (why || (why = sections_read(&list, &t, &t.sections.from, &hash)) || (why = route_sections(&t, &list, &s, set)))
+    if (why || (why = sections_read(&list, &t, &t.sections.from, &hash)) || (why = measured_input(&t, &list, &s, set)))
         return why;
     ok(list.slices.n == 148 && set->bodies == 2, "148 sections, two bodies");
     ok(s.residual.worst < 1e-4 && s.residual.rms < 3e-6, "smoothed over 3 mm the points depart %.0f um at most, %.1f um mean square",

@@ -42,7 +42,7 @@ minus()
     awk -v a="$1" -v b="$2" 'BEGIN {printf "%.3f", a - b}'
 }
 
-is "$(awk '$2 == 0 {for (i = 5; i <= 9; i++) s += $i} END {print s + 0}' "$dir/errors")" 0 "at yaw 0 all three are the same"
+is "$(awk '$2 == 0 {for (i = 5; i <= 9; i++) s += $i; n++} END {print n ? s + 0 : "no rows"}' "$dir/errors")" 0 "at yaw 0 all three are the same"
 is "$(awk 'NR > 1 {d = $4 - was; if (NR > 2 && d < -3e-3) printf "%s%.1f", n++ ? " " : "", $1 * 1e3; was = $4}' "$dir/plain-0.txt")" "0.2 5.2 6.6" \
     "without yaw the contact leaps at 0.2, 5.2 and 6.6 mm"
 
@@ -62,7 +62,7 @@ done
 # On the flange at u = 7 mm the silhouette touches ahead of the axle by r tan(angle) tan(yaw); a profile touches below it.
 ahead=$(awk '$1 > 6.99e-3 && $1 < 7.01e-3 {printf "%.2f", ($20 - $13) * 1e3}' "$dir/plain-24.txt")
 between "$ahead" 30.5 32.5 "at 24 mrad and u = 7 mm the silhouette's contact lies ahead of the thesis' by 0.474 tan(70) tan(0.024), mm"
-awk 'NR > 1 {d = $13 + (0.75 + $11) * sin(0.024); if (d * d > 1e-12) bad++} END {exit bad > 0}' "$dir/plain-24.txt"
+awk 'NR > 1 {d = $13 + (0.75 + $11) * sin(0.024); if (d * d > 1e-12) bad++} END {exit bad > 0 || NR < 2}' "$dir/plain-24.txt"
 ok $? "which counts only the axle's turn"
 
 vxprofile --side l -o "$dir/wl.prof" data/profiles/S1002.yaml && vxprofile --side l --set cant=0.025 -o "$dir/rl.prof" data/profiles/60E1.yaml &&
@@ -70,7 +70,7 @@ vxprofile --side l -o "$dir/wl.prof" data/profiles/S1002.yaml && vxprofile --sid
 ok $? "table of the left side"
 vxcontact --query u=0.0064,yaw=0.017 "$dir/thesis.ctab" | awk 'NR == 2 {print $2, +$3, +$6, +$7, $5, $8}' >"$dir/right"
 vxcontact --query u=-0.0064,yaw=-0.017 "$dir/left.ctab" | awk 'NR == 2 {print $2, -$3, -$6, -$7, $5, $8}' >"$dir/left"
-cmp -s "$dir/left" "$dir/right"
+[ -s "$dir/right" ] && cmp -s "$dir/left" "$dir/right"
 ok $? "left mirrors right"
 
 vxplot --size 800x800 --figure yaw --from 0.004 --to 0.008 -o "$dir/one.png" "$dir/plain-24.txt" &&

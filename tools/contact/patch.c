@@ -13,9 +13,9 @@
 #define FAR_NODES 5          /* from one look to the next */
 #define NEAR_LOOKS 30        /* about as many looks at the patch */
 #define ALL 0.02             /* m */
-#define OWN_ROWS 48
+#define OWN_STRIPS 48
 #define UPRIGHT 0.2          /* of cos(phi) + s sin(phi): a wheel that rises more steeply from the plane is no part of the patch */
-#define DEEPER 3.0           /* times the depth, where the patch filled the rows */
+#define DEEPER 3.0           /* times the depth, where the patch filled the strips */
 
 struct frame {
     const struct gap_pair *p;
@@ -115,7 +115,7 @@ struct end {
     int limited;             /* the gap exceeds the limit there */
 };
 
-/* How far the rows must go from the contact on its left (way -1) or right (1): to the first node of a gap above `limit`, or of another contact;
+/* How far the strips must go from the contact on its left (way -1) or right (1): to the first node of a gap above `limit`, or of another contact;
  * with PATCH_ALL to the last above it. */
 static struct end extent_end(const struct frame *f, int way, double limit, enum patch_extent extent)
 {
@@ -137,8 +137,8 @@ static struct end extent_end(const struct frame *f, int way, double limit, enum 
     return (struct end){(double)(f->p->rail->first + end) * f->p->step, above};
 }
 
-/* n rows evenly over y of from .. to (m, on the rail); less where a curve has a hole. */
-static int64_t rows_between(const struct frame *f, double from, double to, int64_t n, struct strip_row *row)
+/* n strips evenly over y of from .. to (m, on the rail); less where a curve has a hole. */
+static int64_t strips_between(const struct frame *f, double from, double to, int64_t n, struct strip *strip)
 {
     int64_t k = 0;
 
@@ -150,15 +150,15 @@ static int64_t rows_between(const struct frame *f, double from, double to, int64
         double turn = f->c + (at.rail - at.slope) * f->s;
         if (turn < UPRIGHT)
             continue;
-        row[k++] = (struct strip_row){
+        strip[k++] = (struct strip){
             .y = (y - f->m->y) * f->c + (at.z - f->z0) * f->s, .gap = fmax(at.gap - f->m->gap, 0) / turn, .A = 0.5 * at.bend / turn,
         };
     }
     return k;
 }
 
-int64_t patch_rows(const struct gap_pair *p, const struct gap_minimum *m, double B, const struct hertz *h, double load,
-                    const struct strip_law *law, enum patch_extent extent, struct strip_row row[PATCH_ROWS], struct strip_patch *patch)
+int64_t patch_strips(const struct gap_pair *p, const struct gap_minimum *m, double B, const struct hertz *h, double load,
+                     const struct strip_law *law, enum patch_extent extent, struct strip strip[PATCH_STRIPS], struct strip_patch *patch)
 {
     double b = h->b1 * cbrt(load), limit = 2 * fmax(B, HERTZ_FLATTEST) * b * b;
     struct frame f;
@@ -168,12 +168,12 @@ int64_t patch_rows(const struct gap_pair *p, const struct gap_minimum *m, double
         return 0;
     for (int filled = 1; filled; limit *= DEEPER) {
         struct end left = extent_end(&f, -1, limit, extent), right = extent_end(&f, 1, limit, extent);
-        n = rows_between(&f, left.y, right.y, extent == PATCH_OWN ? OWN_ROWS : PATCH_ROWS, row);
+        n = strips_between(&f, left.y, right.y, extent == PATCH_OWN ? OWN_STRIPS : PATCH_STRIPS, strip);
         if (n < 3)
             return 0;
-        strip_prepare(law, row, n);
-        strip_patch(row, n, strip_approach(row, n, load), patch);
-        filled = (left.limited && row[0].half > 0) || (right.limited && row[n - 1].half > 0);
+        strip_prepare(law, strip, n);
+        strip_patch(strip, n, strip_approach(strip, n, load), patch);
+        filled = (left.limited && strip[0].half > 0) || (right.limited && strip[n - 1].half > 0);
     }
     return n;
 }
@@ -181,10 +181,10 @@ int64_t patch_rows(const struct gap_pair *p, const struct gap_minimum *m, double
 void patch_hertz(const struct gap_pair *p, const struct gap_minimum *m, double B, double load, const struct strip_law *law,
                  struct hertz *h)
 {
-    struct strip_row row[PATCH_ROWS];
+    struct strip strip[PATCH_STRIPS];
     struct strip_patch patch;
 
-    if (!patch_rows(p, m, B, h, load, law, PATCH_OWN, row, &patch))
+    if (!patch_strips(p, m, B, h, load, law, PATCH_OWN, strip, &patch))
         return;
     h->C = load / (patch.approach * sqrt(patch.approach));
     h->a1 = patch.a / cbrt(load);

@@ -8,7 +8,7 @@
 #include "tools/contact/hertz.h"
 #include "tools/contact/strip.h"
 
-enum { PATCH_ROWS = 400 };
+enum { PATCH_STRIPS = 400 };
 
 /* Where the ellipse h of a gap B y^2 (1/m) carries `load` (N): the sum over y of |depth - depth under the parabola| over that of the
  * parabola, with depth = B b^2 - gap where positive, b the ellipse's semi-axis.  0 where the gap is the parabola.  Another part of the patch,
@@ -20,9 +20,9 @@ enum patch_extent {
     PATCH_ALL                /* all of the body within 20 mm */
 };
 
-/* The patch under `load` into rows [PATCH_ROWS] and patch, starting from the ellipse h of a gap B y^2: how many rows, 0 at an end. */
-int64_t patch_rows(const struct gap_pair *p, const struct gap_minimum *m, double B, const struct hertz *h, double load,
-                    const struct strip_law *law, enum patch_extent extent, struct strip_row row[PATCH_ROWS], struct strip_patch *patch);
+/* The patch under `load` into strips [PATCH_STRIPS] and patch, starting from the ellipse h of a gap B y^2: how many strips, 0 at an end. */
+int64_t patch_strips(const struct gap_pair *p, const struct gap_minimum *m, double B, const struct hertz *h, double load,
+                     const struct strip_law *law, enum patch_extent extent, struct strip strip[PATCH_STRIPS], struct strip_patch *patch);
 
 /* Replaces h by the ellipse and the stiffness that have the patch's own part under `load`; leaves it at an end. */
 void patch_hertz(const struct gap_pair *p, const struct gap_minimum *m, double B, double load, const struct strip_law *law,

@@ -24,8 +24,8 @@ static const char *spot_make(const struct search *s, const struct spot_place *at
     struct hertz h = {.C = o->row[CTAB_HERTZ_C], .a1 = o->row[CTAB_HERTZ_A], .b1 = o->row[CTAB_HERTZ_B]};
     double B = 0.5 * (o->row[CTAB_RAIL_K] + o->row[CTAB_WHEEL_K]);
     strip_law(at->shear_modulus, at->poisson, &law);
-    o->rows = patch_rows(&c[0].pair, &c[0].at, B, &h, at->load, &law, PATCH_ALL, o->strip, &o->patch);
-    return o->rows ? NULL : "the contact is the end of a rail: it has no patch";
+    o->strips = patch_strips(&c[0].pair, &c[0].at, B, &h, at->load, &law, PATCH_ALL, o->strip, &o->patch);
+    return o->strips ? NULL : "the contact is the end of a rail: it has no patch";
 }
 
 /* Strips from left to right again after the other side's. */
@@ -33,8 +33,8 @@ static void spot_mirror(struct spot *o)
 {
     row_mirror(o->row);
     o->patch.y = -o->patch.y;
-    for (int64_t i = 0, j = o->rows - 1; i <= j; i++, j--) {
-        struct strip_row one = o->strip[i];
+    for (int64_t i = 0, j = o->strips - 1; i <= j; i++, j--) {
+        struct strip one = o->strip[i];
         o->strip[i] = o->strip[j];
         o->strip[j] = one;
         o->strip[j].y = -o->strip[j].y;
@@ -64,7 +64,7 @@ const char *spot_find(const struct prof *wheel, const struct prof *rail, const s
     return why;
 }
 
-void spot_rows(const struct spot *o, double load, const struct rows_printer *out)
+void spot_report(const struct spot *o, double load, const struct report_printer *out)
 {
     static const struct column total[] = {
         {"rail_y", "m", 6}, {"angle", "rad", 6}, {"shape", "1", 4}, {"parts", "1", 3},
@@ -80,7 +80,7 @@ void spot_rows(const struct spot *o, double load, const struct rows_printer *out
     out->row(total, totals, (double[]){o->row[CTAB_RAIL_Y], o->row[CTAB_ANGLE], o->row[CTAB_SHAPE], p->parts, p->approach,
                                    pow(load / o->row[CTAB_HERTZ_C], 2.0 / 3), p->area, area, p->pressure, 1.5 * load / area, p->a, p->b, p->y});
     out->header(strip, 3);
-    for (int64_t i = 0; i < o->rows; i++)
+    for (int64_t i = 0; i < o->strips; i++)
         if (o->strip[i].half > 0)
             out->row(strip, 3, (double[]){o->strip[i].y, o->strip[i].half, o->strip[i].pressure});
 }

@@ -7,7 +7,7 @@
 #include "formats/ctab.h"
 #include "formats/prof.h"
 #include "tools/contact/patch.h"
-#include "tools/contact/rows.h"
+#include "tools/contact/report.h"
 
 struct spot_place {
     double s, yaw, u;                /* m, rad, m, as of a table */
@@ -17,8 +17,8 @@ struct spot_place {
 
 struct spot {
     float row[CTAB_N];               /* the contact as in a table */
-    int64_t rows;
-    struct strip_row strip[PATCH_ROWS];
+    int64_t strips;                  /* in `strip` */
+    struct strip strip[PATCH_STRIPS];
     struct strip_patch patch;        /* of the whole body within 20 mm */
 };
 
@@ -26,6 +26,6 @@ struct spot {
 const char *spot_find(const struct prof *wheel, const struct prof *rail, const struct spot_place *at, struct spot *o);
 
 /* The totals, then the strips of the patch from left to right. */
-void spot_rows(const struct spot *o, double load, const struct rows_printer *out);
+void spot_report(const struct spot *o, double load, const struct report_printer *out);
 
 #endif

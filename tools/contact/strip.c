@@ -49,11 +49,11 @@ static void law_at(const struct strip_law *law, double A, double B, double v[3])
         v[k] = w0 * law->value[i - 1][k] + w1 * law->value[i][k] + w2 * law->value[i + 1][k] + w3 * law->value[i + 2][k];
 }
 
-void strip_prepare(const struct strip_law *law, struct strip_row *row, int64_t n)
+void strip_prepare(const struct strip_law *law, struct strip *strip, int64_t n)
 {
     for (int64_t i = 0; i < n; i++) {
-        struct strip_row *r = &row[i];
-        const struct strip_row *m = &row[i == 0 ? 1 : i == n - 1 ? n - 2 : i];
+        struct strip *r = &strip[i];
+        const struct strip *m = &strip[i == 0 ? 1 : i == n - 1 ? n - 2 : i];
         double B = ((m[1].gap - m->gap) / (m[1].y - m->y) - (m->gap - m[-1].gap) / (m->y - m[-1].y)) / (m[1].y - m[-1].y);
         double A = r->A > HERTZ_FLATTEST ? r->A : HERTZ_FLATTEST, v[3];
         law_at(law, A, B > HERTZ_FLATTEST ? B : HERTZ_FLATTEST, v);
@@ -64,8 +64,8 @@ void strip_prepare(const struct strip_law *law, struct strip_row *row, int64_t n
     }
 }
 
-/* Where between rows i and i + 1 depth d0, d1 is positive: its length, and depths at its ends in place of d0, d1. */
-static double overlap(const struct strip_row *r, double approach, double *d0, double *d1)
+/* Where between strips i and i + 1 depth d0, d1 is positive: its length, and depths at its ends in place of d0, d1. */
+static double overlap(const struct strip *r, double approach, double *d0, double *d1)
 {
     double length = r[1].y - r[0].y;
 
@@ -82,35 +82,35 @@ static double overlap(const struct strip_row *r, double approach, double *d0, do
 }
 
 /* Force, and its derivative by the approach but for moving edges, which carry nothing. */
-static double force_rate(const struct strip_row *row, int64_t n, double approach, double *rate)
+static double force_rate(const struct strip *strip, int64_t n, double approach, double *rate)
 {
     double force = 0, d0, d1;
 
     *rate = 0;
     for (int64_t i = 0; i + 1 < n; i++) {
-        double length = overlap(&row[i], approach, &d0, &d1), s0 = row[i].stiff, s1 = row[i + 1].stiff;
+        double length = overlap(&strip[i], approach, &d0, &d1), s0 = strip[i].stiff, s1 = strip[i + 1].stiff;
         force += 0.5 * length * (s0 * d0 + s1 * d1) * (length > 0);
         *rate += 0.5 * length * (s0 + s1);
     }
     return force;
 }
 
-double strip_force(const struct strip_row *row, int64_t n, double approach)
+double strip_force(const struct strip *strip, int64_t n, double approach)
 {
     double rate;
 
-    return force_rate(row, n, approach, &rate);
+    return force_rate(strip, n, approach, &rate);
 }
 
-double strip_approach(const struct strip_row *row, int64_t n, double load)
+double strip_approach(const struct strip *strip, int64_t n, double load)
 {
     double lo = 0, hi = 1e-6, rate, d;
 
-    while (strip_force(row, n, hi) < load)
+    while (strip_force(strip, n, hi) < load)
         lo = hi, hi *= 4;
     d = hi;
     for (int i = 0; i < 100; i++) {
-        double off = force_rate(row, n, d, &rate) - load;
+        double off = force_rate(strip, n, d, &rate) - load;
         if (fabs(off) < EXACT * load)
             break;
         *(off > 0 ? &hi : &lo) = d;
@@ -127,21 +127,21 @@ static double straight_area(double length, double q0, double q1)
     return 4.0 / 3 * length * (q0 + sqrt(q0 * q1) + q1) / (sqrt(q0) + sqrt(q1));
 }
 
-void strip_patch(struct strip_row *row, int64_t n, double approach, struct strip_patch *p)
+void strip_patch(struct strip *strip, int64_t n, double approach, struct strip_patch *p)
 {
     double width = 0, moment = 0, longest = 0, d0, d1;
 
     *p = (struct strip_patch){.approach = approach};
     for (int64_t i = 0; i < n; i++) {
-        double depth = fmax(approach - row[i].share * row[i].gap, 0);
-        row[i].half = sqrt(row[i].reach * depth);
-        row[i].pressure = row[i].peak * sqrt(depth);
-        p->pressure = fmax(p->pressure, row[i].pressure);
-        longest = fmax(longest, row[i].half);
-        p->parts += depth > 0 && (i == 0 || row[i - 1].half <= 0);
+        double depth = fmax(approach - strip[i].share * strip[i].gap, 0);
+        strip[i].half = sqrt(strip[i].reach * depth);
+        strip[i].pressure = strip[i].peak * sqrt(depth);
+        p->pressure = fmax(p->pressure, strip[i].pressure);
+        longest = fmax(longest, strip[i].half);
+        p->parts += depth > 0 && (i == 0 || strip[i - 1].half <= 0);
     }
     for (int64_t i = 0; i + 1 < n; i++) {
-        const struct strip_row *r = &row[i];
+        const struct strip *r = &strip[i];
         double length = overlap(r, approach, &d0, &d1);
         if (length <= 0)
             continue;

@@ -14,7 +14,7 @@ struct strip_law {
     double value[STRIP_RATIOS][3];    /* 1, over log(B/A) */
 };
 
-struct strip_row {
+struct strip {
     double y, gap;                    /* m, given, y increasing */
     double A;                         /* 1/m, given */
     double share, stiff, reach, peak; /* 1, Pa, m, Pa/m^0.5: by strip_prepare */
@@ -32,15 +32,15 @@ struct strip_patch {
 /* G in Pa. */
 void strip_law(double G, double nu, struct strip_law *law);
 
-/* Takes the gap's curvature from its neighbours; n >= 3 rows. */
-void strip_prepare(const struct strip_law *law, struct strip_row *row, int64_t n);
+/* Takes the gap's curvature from its neighbours; n >= 3 strips. */
+void strip_prepare(const struct strip_law *law, struct strip *strip, int64_t n);
 
-/* N under an approach (m) of prepared rows. */
-double strip_force(const struct strip_row *row, int64_t n, double approach);
+/* N under an approach (m) of prepared strips. */
+double strip_force(const struct strip *strip, int64_t n, double approach);
 
 /* Approach (m) under a load (N > 0). */
-double strip_approach(const struct strip_row *row, int64_t n, double load);
+double strip_approach(const struct strip *strip, int64_t n, double load);
 
-void strip_patch(struct strip_row *row, int64_t n, double approach, struct strip_patch *p);
+void strip_patch(struct strip *strip, int64_t n, double approach, struct strip_patch *p);
 
 #endif

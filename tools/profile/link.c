@@ -14,7 +14,7 @@ static int alike(double a, double b, double share, double least)
     return fabs(a - b) <= share * fmax(a, b) + least;
 }
 
-static void knot_put(struct loft_link *l, int at, double a, double b)
+static void knot_put(struct link *l, int at, double a, double b)
 {
     for (int i = l->n++; i > at; i--) {
         l->a[i] = l->a[i - 1];
@@ -24,7 +24,7 @@ static void knot_put(struct loft_link *l, int at, double a, double b)
     l->b[at] = b;
 }
 
-void link_make(const struct piece *a, const struct piece *b, struct loft_link *l)
+void link_make(const struct piece *a, const struct piece *b, struct link *l)
 {
     l->n = 0;
     for (int k = 0; k < a->features && k < b->features; k++) {

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 
 #include "formats/reason.h"
-#include "tools/profile/link.h"
 
 #define MOTION_STEP 1e-3     /* m, along the curve */
 #define OVERSHOOT 1e-5       /* m, of a line beyond its sections */
@@ -14,7 +13,7 @@ const char *loft_add(struct loft *l, double station, const struct curve *c, cons
     struct loft_section *sections = realloc(l->section, (size_t)(l->n + 1) * sizeof *sections);
     if (sections)
         l->section = sections;
-    struct loft_link *links = realloc(l->link, (size_t)(l->n + 1) * sizeof *links);
+    struct link *links = realloc(l->link, (size_t)(l->n + 1) * sizeof *links);
     if (links)
         l->link = links;
     if (!sections || !links)
@@ -43,7 +42,7 @@ static int chord_find(const struct loft *l, int64_t i, int way, double at, struc
 
     if (i + way < 0 || i + way >= l->n)
         return 0;
-    const struct loft_link *k = &l->link[way < 0 ? i - 1 : i];
+    const struct link *k = &l->link[way < 0 ? i - 1 : i];
     c->to = way < 0 ? link_map(k->n, k->b, k->a, at) : link_map(k->n, k->a, k->b, at);
     if (isnan(c->to))
         return 0;
@@ -133,7 +132,7 @@ static void line_point(const struct loft *l, int64_t i, double a, double b, doub
 
 double loft_motion(const struct loft *l, int64_t i)
 {
-    const struct loft_link *k = &l->link[i];
+    const struct link *k = &l->link[i];
     double most = 0, length = k->a[k->n - 1] - k->a[0], p[2], q[2];
     int64_t steps = (int64_t)ceil(length / MOTION_STEP);
 
@@ -163,9 +162,9 @@ static void section_points(const struct loft *l, int64_t i, int64_t n, double *c
 /* The same at s between section i and the next, evenly over the mean of both lengths. */
 static void link_points(const struct loft *l, int64_t i, double s, int64_t n, double *const out[4])
 {
-    const struct loft_link *k = &l->link[i];
+    const struct link *k = &l->link[i];
     double t = (s - l->section[i].station) / (l->section[i + 1].station - l->section[i].station);
-    double both[PIECE_FEATURES + 2], p[2], slope[2];
+    double both[LINK_MOST], p[2], slope[2];
 
     for (int j = 0; j < k->n; j++)
         both[j] = (1 - t) * k->a[j] + t * k->b[j];
@@ -212,7 +211,7 @@ const char *loft_outline(const struct loft *l, double s, double spacing, double 
     while (i < l->n - 1 && l->section[i + 1].station <= s)
         i++;
     int on = l->section[i].station == s;
-    const struct loft_link *k = &l->link[i];
+    const struct link *k = &l->link[i];
     double length = on ? l->section[i].piece.to - l->section[i].piece.from : fmax(k->a[k->n - 1] - k->a[0], k->b[k->n - 1] - k->b[0]);
     int64_t n = (int64_t)ceil(length / spacing) + 1;
     double *store = calloc((size_t)n * 4, sizeof *store), *const raw[4] = {store, store + n, store + 2 * n, store + 3 * n};

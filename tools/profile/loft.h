@@ -11,8 +11,8 @@
 #define VX_PROFILE_LOFT_H
 
 #include "formats/prof.h"
+#include "tools/profile/link.h"
 #include "tools/profile/outline.h"
-#include "tools/profile/piece.h"
 
 struct loft_section {
     double station;                   /* m */
@@ -20,17 +20,11 @@ struct loft_section {
     struct piece piece;
 };
 
-struct loft_link {
-    int n;
-    double a[PIECE_FEATURES + 2];     /* m [n] along the curve of a section, increasing */
-    double b[PIECE_FEATURES + 2];     /* m [n] along that of the next */
-};
-
 struct loft {
     char name[PROF_NAME];
     int64_t n;
     struct loft_section *section;     /* [n] */
-    struct loft_link *link;           /* [n - 1] used */
+    struct link *link;                /* [n - 1] used */
 };
 
 /* A section further on; the curve must outlive the loft. */

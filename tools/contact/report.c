@@ -1,5 +1,5 @@
 /* Columns of the table come in an order of their own: where, how, how stiff. */
-#include "tools/contact/rows.h"
+#include "tools/contact/report.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -62,8 +62,7 @@ static const char *look_up(const struct ctab *t, double s, double yaw, double u,
     return why ? why : *n >= 0 ? NULL : reason("u = %g m is beyond the table, %g to %g", u, t->u[0], t->u[t->us - 1]);
 }
 
-const char *rows_query(const struct ctab *t, double s, double yaw, double u, double roll,
-                      const struct rows_printer *out)
+const char *report_query(const struct ctab *t, double s, double yaw, double u, double roll, const struct report_printer *out)
 {
     struct contact c[CONTACT_MAX];
     struct column column[ALL];
@@ -82,8 +81,8 @@ const char *rows_query(const struct ctab *t, double s, double yaw, double u, dou
     return NULL;
 }
 
-const char *rows_path(const struct ctab *t, double from, double to, double step, double yaw, double u, double roll,
-                      const struct rows_printer *out)
+const char *report_path(const struct ctab *t, double from, double to, double step, double yaw, double u, double roll,
+                        const struct report_printer *out)
 {
     struct contact c[CONTACT_MAX];
     struct column column[ALL];
@@ -93,6 +92,8 @@ const char *rows_path(const struct ctab *t, double from, double to, double step,
 
     if (why)
         return why;
+    if (from > to)
+        return reason("from %g m to %g m: stations must increase", from, to);
     contact_columns(column);
     column[STATION] = (struct column){"station", "m", 10};
     out->header(column + STATION, GAP - STATION);
@@ -106,7 +107,7 @@ const char *rows_path(const struct ctab *t, double from, double to, double step,
     return NULL;
 }
 
-const char *rows_tables(const struct ctab *t, int n, double s, double yaw, const struct rows_printer *out)
+const char *report_sweep(const struct ctab *t, int n, double s, double yaw, const struct report_printer *out)
 {
     struct column column[SWEEP_N];
     char name[SWEEP_N][SWEEP_NAME];
@@ -124,14 +125,14 @@ const char *rows_tables(const struct ctab *t, int n, double s, double yaw, const
     return NULL;
 }
 
-static const char *pair_check(const struct rows_pair *p)
+static const char *pair_check(const struct report_pair *p)
 {
     const char *why = check_yaw(p->left, p->yaw);
 
     return why ? why : check_yaw(p->right, p->yaw);
 }
 
-const char *rows_wheelset(const struct rows_pair *p, double y, double load, const struct rows_printer *out)
+const char *report_wheelset(const struct report_pair *p, double y, double load, const struct report_printer *out)
 {
     static const struct column rest[] = {{"z", "m", 10}, {"roll", "rad", 10}, {"radius_difference", "m", 10}};
     struct column column[ALL];
@@ -158,7 +159,7 @@ const char *rows_wheelset(const struct rows_pair *p, double y, double load, cons
 }
 
 /* Rest positions, *n of them, to be freed. */
-static const char *pair_sweep(const struct rows_pair *p, double step, struct wheelset_point **points, int64_t *n)
+static const char *pair_sweep(const struct report_pair *p, double step, struct wheelset_point **points, int64_t *n)
 {
     const char *why = pair_check(p);
 
@@ -168,7 +169,7 @@ static const char *pair_sweep(const struct rows_pair *p, double step, struct whe
     return why ? why : wheelset_sweep(p->left, p->right, p->s, p->yaw, step, p->roll_free, *points, SWEEP_MOST, n);
 }
 
-const char *rows_rolling_radius(const struct rows_pair *pair, const struct rows_printer *out)
+const char *report_rolling_radius(const struct report_pair *pair, const struct report_printer *out)
 {
     static const struct column column[] = {
         {"y", "m", 6}, {"z", "m", 9}, {"radius_difference", "m", 9}, {"roll", "rad", 9},
@@ -191,7 +192,7 @@ const char *rows_rolling_radius(const struct rows_pair *pair, const struct rows_
     return why;
 }
 
-const char *rows_conicity(const struct rows_pair *pair, const double *amplitude, int n, const struct rows_printer *out)
+const char *report_conicity(const struct report_pair *pair, const double *amplitude, int n, const struct report_printer *out)
 {
     static const struct column column[] = {
         {"amplitude", "m", 6}, {"conicity", "1", 6}, {"wavelength", "m", 6}, {"middle", "m", 6},

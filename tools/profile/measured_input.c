@@ -1,4 +1,4 @@
-#include "tools/profile/route.h"
+#include "tools/profile/measured_input.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -62,7 +62,7 @@ static const char *lists_join(const struct prof_text *t, struct sections *list, 
     return why;
 }
 
-const char *route_sections(const struct prof_text *t, struct sections *list, struct section *s, struct set *set)
+const char *measured_input(const struct prof_text *t, struct sections *list, struct section *s, struct set *set)
 {
     struct measured_options o = {t->smoothing, t->spacing, t->sections.every, 0, t->sections.at};
     int64_t lists = t->sections.extra.n + 1;
