@@ -1,13 +1,11 @@
-/* Read line by line, so that a refusal can say which. */
 #include "formats/miniprof.h"
 
 #include <ctype.h>
-#include <errno.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
+#include "formats/lines.h"
 #include "formats/reason.h"
 
 #define MM 1e-3
@@ -183,20 +181,10 @@ static char *line_trim(char *line)
     return line;
 }
 
-static const char *file_scan(struct scan *c, FILE *file)
+static const char *scan_line(void *scan, long number, char *text)
 {
-    const char *why = NULL;
-    char *line = NULL;
-    size_t size = 0;
-    ssize_t length;
-
-    for (long number = 1; !why && (length = getline(&line, &size, file)) >= 0; number++) {
-        why = strlen(line) == (size_t)length ? line_read(c, line_trim(line)) : "not a text";
-        if (why)
-            why = reason("line %ld: %s", number, why);
-    }
-    free(line);
-    return !why && ferror(file) ? reason("%s", strerror(errno)) : why;
+    (void)number;
+    return line_read(scan, line_trim(text));
 }
 
 static const char *scan_check(const struct scan *c)
@@ -218,12 +206,7 @@ const char *miniprof_read(struct miniprof *m, const char *path, int64_t section)
 {
     struct scan c = {.x = 0, .y = 1, .columns = 2, .wanted = section ? section : 1, .m = m};
     *m = (struct miniprof){0};
-    FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "r");
-    if (!file)
-        return reason("%s", strerror(errno));
-    const char *why = file_scan(&c, file);
-    if (file != stdin)
-        fclose(file);
+    const char *why = lines_read(path, scan_line, &c);
     if (!why && c.several && section == 0 && c.sections > 1)
         why = reason("section: must be stated, the file holds %lld", (long long)c.sections);
     if (!why)

@@ -1,12 +1,11 @@
-/* Lines are read one by one, so that a refusal can say which. */
 #include "formats/points.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "formats/lines.h"
 #include "formats/reason.h"
 
 const char *points_number(const char *text, double *x)
@@ -82,55 +81,40 @@ static const char *heading_read(const char *line, double *unit)
     return *unit > 0 && strcmp(word[0], word[1]) == 0 ? NULL : "y and z must be in m or in mm";
 }
 
-static const char *row_add(struct points *p, int64_t *room, const char *line, double *unit)
+struct scan {
+    struct points *p;
+    int64_t room;
+    double unit;             /* m; 0 not stated yet */
+};
+
+static const char *row_add(void *scan, long number, char *line)
 {
+    struct scan *s = scan;
     double row[3], said = 0;
     int columns;
-    const char *why = p->n ? NULL : heading_read(line, &said);
+    const char *why = s->p->n ? NULL : heading_read(line, &said);
 
+    (void)number;
     if (why || said > 0) {
-        if (!why && *unit > 0 && *unit != said)
+        if (!why && s->unit > 0 && s->unit != said)
             why = "the heading's unit is not the one stated";
-        *unit = said;
+        s->unit = said;
         return why;
     }
     if ((why = line_read(line, row, &columns)) || !columns)
         return why;
     if (row[2] <= 0)
         return reason("weight must be positive, is %g", row[2]);
-    if (*unit <= 0)
+    if (s->unit <= 0)
         return "unit: must be stated, m or mm";
-    return points_add(p, room, row[0] * *unit, row[1] * *unit, row[2]);
-}
-
-static const char *file_read(struct points *p, FILE *file, double unit)
-{
-    const char *why = NULL;
-    char *line = NULL;
-    size_t size = 0;
-    ssize_t length;
-    int64_t room = 0;
-
-    for (long number = 1; !why && (length = getline(&line, &size, file)) >= 0; number++) {
-        why = strlen(line) == (size_t)length ? row_add(p, &room, line, &unit) : "not a text";
-        if (why)
-            why = reason("line %ld: %s", number, why);
-    }
-    free(line);
-    if (!why && ferror(file))
-        return reason("%s", strerror(errno));
-    return why;
+    return points_add(s->p, &s->room, row[0] * s->unit, row[1] * s->unit, row[2]);
 }
 
 const char *points_read(struct points *p, const char *path, double unit)
 {
+    struct scan s = {.p = p, .unit = unit};
     *p = (struct points){0};
-    FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "r");
-    if (!file)
-        return reason("%s", strerror(errno));
-    const char *why = file_read(p, file, unit);
-    if (file != stdin)
-        fclose(file);
+    const char *why = lines_read(path, row_add, &s);
     if (!why && p->n < 3)
         why = reason("%lld points, a profile needs at least 3", (long long)p->n);
     if (why)

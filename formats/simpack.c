@@ -1,13 +1,12 @@
 /* Blocks "NAME.begin ... NAME.end", lines "key = value", comments from '!' (CONTACT: also '%') on, points between point.begin and point.end. */
 #include "formats/simpack.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stddef.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "formats/lines.h"
 #include "formats/reason.h"
 
 struct keys {
@@ -178,32 +177,19 @@ static void points_transform(struct points *p, const struct keys *k)
     }
 }
 
-static const char *file_scan(struct scan *c, FILE *file)
+static const char *scan_line(void *scan, long number, char *text)
 {
-    const char *why = NULL;
-    char *line = NULL;
-    size_t size = 0;
-    ssize_t length;
-
-    for (long number = 1; !why && (length = getline(&line, &size, file)) >= 0; number++) {
-        why = strlen(line) == (size_t)length ? line_read(c, line_trim(line)) : "not a text";
-        if (why)
-            why = reason("line %ld: %s", number, why);
-    }
-    free(line);
-    return why ? why : ferror(file) ? reason("%s", strerror(errno)) : keys_check(&c->keys, c);
+    (void)number;
+    return line_read(scan, line_trim(text));
 }
 
 const char *simpack_read(struct simpack *s, const char *path)
 {
     struct scan c = {.keys = {.type = -1, .angle_factor = 1}};
     *s = (struct simpack){0};
-    FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "r");
-    if (!file)
-        return reason("%s", strerror(errno));
-    const char *why = file_scan(&c, file);
-    if (file != stdin)
-        fclose(file);
+    const char *why = lines_read(path, scan_line, &c);
+    if (!why)
+        why = keys_check(&c.keys, &c);
     if (!why)
         points_transform(&c.points, &c.keys);
     if (!why && c.points.n < 3)

@@ -1,19 +1,21 @@
-/* Four header lines, then four columns; read line by line, so that a refusal can say which. */
+/* Four header lines, then four columns. */
 #include "formats/vampire.h"
 
-#include <errno.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "formats/lines.h"
 #include "formats/reason.h"
 
 #define MM 1e-3
 #define INCH 25.4
 #define ALIKE 1e-6           /* m, between the two sides */
 
+enum { HEADER = 4 };         /* lines */
+
 struct scan {
+    long lines;
     char part;
     double datum;            /* mm, from the flange back to the tread datum, or from the top down to the gauge point */
     double distance;         /* mm, between the flange backs, or the gauge */
@@ -87,35 +89,19 @@ static const char *row_read(struct scan *c, const char *line)
 }
 
 /* Cuts the comment of a row and the blanks at both ends. */
-static const char *line_read(struct scan *c, long number, char *line)
+static const char *scan_line(void *scan, long number, char *line)
 {
+    struct scan *c = scan;
+
+    c->lines = number;
     line += strspn(line, " \t");
-    line[strcspn(line, number > 4 ? "\"!%\r\n" : "\r\n")] = '\0';
+    line[strcspn(line, number > HEADER ? "\"!%\r\n" : "\r\n")] = '\0';
     size_t n = strlen(line);
     while (n && strchr(" \t", line[n - 1]))
         line[--n] = '\0';
-    if (number <= 4)
+    if (number <= HEADER)
         return header_read(c, number, line);
     return n ? row_read(c, line) : NULL;
-}
-
-static const char *file_scan(struct scan *c, FILE *file)
-{
-    const char *why = NULL;
-    char *line = NULL;
-    size_t size = 0;
-    ssize_t length;
-    long number = 1;
-
-    for (; !why && (length = getline(&line, &size, file)) >= 0; number++) {
-        why = strlen(line) == (size_t)length ? line_read(c, number, line) : "not a text";
-        if (why)
-            why = reason("line %ld: %s", number, why);
-    }
-    free(line);
-    if (!why && ferror(file))
-        return reason("%s", strerror(errno));
-    return why || number > 5 ? why : "the file ends within its header";
 }
 
 /* The left side becomes a right one. */
@@ -135,12 +121,9 @@ const char *vampire_read(struct vampire *v, const char *path, int side)
 {
     struct scan c = {0};
     *v = (struct vampire){0};
-    FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "r");
-    if (!file)
-        return reason("%s", strerror(errno));
-    const char *why = file_scan(&c, file);
-    if (file != stdin)
-        fclose(file);
+    const char *why = lines_read(path, scan_line, &c);
+    if (!why && c.lines <= HEADER)
+        why = "the file ends within its header";
     if (!why && c.side[1].n < 3)
         why = reason("%lld points, a profile needs at least 3", (long long)c.side[1].n);
     if (!why)
