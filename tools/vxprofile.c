@@ -17,7 +17,7 @@
 #include "formats/prof.h"
 #include "formats/prof_text.h"
 #include "formats/reason.h"
-#include "tools/profile/check.h"
+#include "tools/profile/dimensions.h"
 #include "tools/profile/gauge.h"
 #include "tools/profile/orient.h"
 #include "tools/profile/measured_input.h"
@@ -166,7 +166,7 @@ static void print_shape(void)
         printf("flange_said\t%.6f\t%.6f\t%.6f\tm, Sh Sd qR\n", shape.flange_height, shape.flange_width, shape.flange_slope);
 }
 
-static void print_measures(const struct prof_text *t, const struct section *s, const struct check *c, const struct prof *p)
+static void print_measures(const struct prof_text *t, const struct section *s, const struct dimensions *c, const struct prof *p)
 {
     double sign = p->side == 'l' ? -1 : 1;
 
@@ -182,7 +182,7 @@ static void print_measures(const struct prof_text *t, const struct section *s, c
         printf("kink\t%.6f\tm\t%.4f\trad\n", sign * s->kinks.y[i], sign * s->kinks.turn[i]);
 }
 
-static void print_check(const struct prof_text *t, const struct section *s, const struct check *c, const struct prof *p)
+static void print_check(const struct prof_text *t, const struct section *s, const struct dimensions *c, const struct prof *p)
 {
     printf("name\t%s\npart\t%s\nside\t%c\nposition\t%.6f\tm\n", p->name, p->part == 'w' ? "wheel" : "rail", p->side, p->position);
     if (shape.kind)
@@ -225,7 +225,7 @@ int main(int argc, char **argv)
     char **path = cli_begin(&program, argc, argv, 0, 1, &n);
     struct prof_text text;
     struct section section;
-    struct check measures = {0};
+    struct dimensions measures = {0};
     struct set sections;
     struct prof prof = {0};
     uint64_t hash;
@@ -243,7 +243,7 @@ int main(int argc, char **argv)
         sections_measure(path[0], &text, &section, &sections, &hash);
     } else {
         section_read(path[0], &text, &section, &hash);
-        check_wheel(&section.outline, text.flange_back, &measures);
+        dimensions_wheel(&section.outline, text.flange_back, &measures);
         sections_gather(path[0], &text, &section, &sections);
     }
 

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tools/profile/check.h"
+#include "tools/profile/dimensions.h"
 #include "tools/profile/kinks.h"
 #include "tools/profile/orient.h"
 #include "tools/profile/section.h"
@@ -171,13 +171,13 @@ static void test_flange(void)
     struct section_options o = {1, 0, 0.014, 1e-3, 1e-4};
     struct section s;
     struct shape shape;
-    struct check c;
+    struct dimensions c;
 
     wheel_make(&shape);
     ok(!section_make(&s, &shape.points, &o), "a wheel");
     double z0 = 0.001 - 0.034 / 40;                     /* at the running circle */
     double face = -0.0394 + 0.0054 * (0.002 - z0) / 0.011, above = -0.0544 + 0.015 * sqrt(1 - pow(0.014 / 0.016, 2));
-    check_wheel(&s.outline, 0.070, &c);
+    dimensions_wheel(&s.outline, 0.070, &c);
     near(c.flange_height, 0.028 - z0, 5e-6, "Sh");
     near(c.flange_thickness, 0.070 + face, 5e-5, "Sd");
     near(c.flange_slope, face - above, 5e-5, "qR");

@@ -4,7 +4,7 @@
 #include <stddef.h>
 
 #include "tools/profile/cant.h"
-#include "tools/profile/check.h"
+#include "tools/profile/dimensions.h"
 #include "tools/profile/gauge.h"
 #include "tools/profile/resample.h"
 
@@ -41,7 +41,7 @@ static const char *outline_place(struct section *s, const struct section_options
     outline_shift(&s->outline, 0, -top(&s->outline));
     if ((why = gauge_face(&s->outline, o->gauge_depth, &s->gauge_face)))
         return why;
-    s->cant = check_cant(&s->outline, o->gauge_depth);
+    s->cant = dimensions_cant(&s->outline, o->gauge_depth);
     return clean_outline(&s->outline);
 }
 

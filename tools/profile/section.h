@@ -18,7 +18,7 @@ struct section_options {
 struct section {
     struct outline outline;   /* right side; rail: top at z = 0; wheel: z = 0 at y = 0, its running circle */
     double gauge_face;        /* m, y of it; rail */
-    double cant;              /* 1, the inclination found, check.h; rail */
+    double cant;              /* 1, the inclination found, dimensions.h; rail */
     int64_t points;           /* that the shape had */
     struct clean_count clean;
     struct kinks kinks;       /* of the points as read, before smoothing */

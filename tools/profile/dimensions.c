@@ -1,4 +1,4 @@
-#include "tools/profile/check.h"
+#include "tools/profile/dimensions.h"
 
 #include <math.h>
 
@@ -29,13 +29,13 @@ static double crossing(const struct outline *o, int64_t i, int64_t step, double 
     return NAN;
 }
 
-void check_wheel(const struct outline *o, double flange_back, struct check *c)
+void dimensions_wheel(const struct outline *o, double flange_back, struct dimensions *c)
 {
     int64_t tip = 0;
 
     for (int64_t i = 1; i < o->n; i++)
         tip = o->z[i] > o->z[tip] ? i : tip;
-    *c = (struct check){NAN, NAN, NAN};
+    *c = (struct dimensions){NAN, NAN, NAN};
     if (o->z[tip] < FLANGE_LEAST || o->y[tip] > 0)
         return;
     double face = crossing(o, tip, 1, 0, THICKNESS_DEPTH);
@@ -62,7 +62,7 @@ static double top_slope(const struct outline *o, double middle)
     return (n * yz - y * z) / (n * yy - y * y);
 }
 
-double check_cant(const struct outline *o, double gauge_depth)
+double dimensions_cant(const struct outline *o, double gauge_depth)
 {
     double slope = 0;
 
