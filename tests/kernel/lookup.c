@@ -173,6 +173,7 @@ static struct shape *rail_pair(double dy, double dz)
         two->z[n + i] = one->z[i] + dz;
         two->slope[n + i] = one->slope[i];
         two->curvature[n + i] = one->curvature[i];
+        two->fall[i] = two->fall[n + i] = dz - one->slope[i] * dy;
     }
     first[1] = n;
     first[2] = 2 * n;

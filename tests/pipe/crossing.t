@@ -48,6 +48,9 @@ path "$dir/exact.ctab" 0 >"$dir/path"
 between "$(awk '$1 > 0 && $3 < 0 {print $1; exit}' "$dir/path")" 220 280 "from the wing rail to the nose, mm"
 between "$(awk '$1 > 282 && $1 < 310 {s += $4; n++} END {print s/n}' "$dir/path")" 4.5 5.5 "mm ahead on the nose's ramp"
 between "$(awk '$1 > 180 && $1 < 240 {s += $4; n++} END {print s/n}' "$dir/path")" -3.8 -2.8 "mm behind on the wing rail"
+vxcontact --path u=0,from=0.18,to=0.24,step=0.002 "$dir/exact.ctab" >"$dir/wing"
+between "$(awk 'NR > 1 {d = $8 + 0.0666667; if (d < 0) d = -d; if (d > w) w = d} END {print 1e3*w}' "$dir/wing")" 0 1 \
+    "on the wing rail's edge the contact plane is that of the tread's cone, mrad"
 
 # A yawed wheelset: its right wheel's centre stands 750 mm sin(yaw) behind.
 vxcontact --query u=0,yaw=0.002,s=0.2 "$dir/exact.ctab" >"$dir/yawed"

@@ -24,6 +24,8 @@ void cli_items(const char *option, const char *text, const struct cli_item *item
         const char *end;
         while (i < n && !(strlen(item[i].key) == length && strncmp(item[i].key, p, length) == 0))
             i++;
+        if (i == n && p[length] == '=')
+            cli_misuse("--%s: unknown key %.*s; see -h for the keys", option, (int)length, p);
         if (i == n || p[length] != '=')
             cli_misuse("--%s: \"%s\" must be KEY=NUMBER,...; see -h for the keys", option, p);
         if (seen >> i & 1)

@@ -6,7 +6,7 @@
 
 #include "tools/contact/clones.h"
 
-#define FACE 5.0              /* dz/dy with which a wheel's profile ends in a face, the back of its flange */
+#define FACE 5.0              /* |dz/dy| of a face: where a wheel ends in one, the back of its flange, it counts; a rail goes on below one */
 
 struct hermite { double z, slope; };
 
@@ -205,7 +205,7 @@ static struct touch touch_at(const struct overlap *o, int64_t i)
     double q = 0;
 
     if (r->level)
-        return (struct touch){o->w->along[i + o->off], r->z[i], r->slope[i], 0};
+        return (struct touch){o->w->along[i + o->off], r->z[i], r->slope[i], r->along[i]};
     nearest(o, i, &q);
     return (struct touch){r->at[i] + q, r->z[i] + q * (r->along[i] + 0.5 * r->bend[i] * q),
                           r->slope[i] + q * (r->along_y[i] + 0.5 * r->bend_y[i] * q), r->along[i] + r->bend[i] * q};
@@ -220,11 +220,12 @@ static double between(const double *a, double t)
 static struct gap_minimum minimum_at(const struct overlap *o, const double *d, int64_t i, double step, double t)
 {
     struct touch a = touch_at(o, i), b = t > 0 ? touch_at(o, i + 1) : a;
-    struct hermite rail = {a.z, a.slope}, gap = {gap_height(o, i), d[0]};
+    struct hermite rail = {a.z + t * (b.z - a.z), a.slope + t * (b.slope - a.slope)}, gap = {gap_height(o, i), d[0]};
     int64_t j = i + o->off;
 
     if (t > 0) {
-        rail = hermite_at(a.z, a.slope, b.z, b.slope, step, t);
+        if (o->r->level)                                          /* else the node's x differ, and z with them */
+            rail = hermite_at(a.z, a.slope, b.z, b.slope, step, t);
         gap = hermite_at(gap.z, d[0], gap_height(o, i + 1), d[1], step, t);
     }
     return (struct gap_minimum){
@@ -255,7 +256,7 @@ int gap_minima(const struct gap_search *s, const struct gap_curve *rail, const s
     if (o.lo >= o.hi)
         return 0;
     gap_slopes(&o, d);
-    if (ends & GAP_LEFT_END && o.lo == 0 && d[0] > 0) {
+    if (ends & GAP_LEFT_END && o.lo == 0 && d[0] > 0 && fabs(rail->slope[0]) < FACE) {
         one = minimum_at_end(&o, d, 0, s->step);
         n = keep(m, n, most, s->apart, &one);
     }
@@ -269,7 +270,7 @@ int gap_minima(const struct gap_search *s, const struct gap_curve *rail, const s
             one = minimum_at(&o, d, i, s->step, t);
             n = keep(m, n, most, s->apart, &one);
         }
-    if (ends & GAP_RIGHT_END && o.hi == rail->n - 1 && d[0] < 0) {
+    if (ends & GAP_RIGHT_END && o.hi == rail->n - 1 && d[0] < 0 && fabs(rail->slope[o.hi]) < FACE) {
         one = minimum_at_end(&o, d, o.hi, s->step);
         n = keep(m, n, most, s->apart, &one);
     }
@@ -291,6 +292,6 @@ int gap_at(const struct gap_pair *pair, double y, struct gap_place *p)
     struct hermite gap = hermite_at(gap_height(&o, i), d[0], gap_height(&o, i + 1), d[1], step, t);
     struct hermite z = hermite_at(rail->z[i], rail->slope[i], rail->z[i + 1], rail->slope[i + 1], step, t);
     *p = (struct gap_place){.gap = gap.z, .z = z.z, .slope = gap.slope, .rail = z.slope,
-                             .bend = between(rail->bend + i, t) + between(wheel->bend + j, t)};
+                             .bend = (rail->level ? 0 : between(rail->bend + i, t)) + between(wheel->bend + j, t)};
     return !isnan(gap.slope);
 }

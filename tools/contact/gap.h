@@ -31,7 +31,7 @@ struct gap_curve {
     double *along, *along_y; /* e or X, and its derivative by y [n] */
     double *bend, *bend_y;   /* k or b, the same [n] */
     double *at, *reach;      /* m [n] rail: x_t, and how far q may be from X; a wheel's are not read */
-    int level;               /* along and at are 0 everywhere */
+    int level;               /* the section as it is: e is handed through, k and x_t are 0 */
 };
 
 enum { GAP_LINE_ARRAYS = 6, GAP_ARRAYS = 9 };     /* of n doubles in a gap_line and in a gap_curve */

@@ -1,5 +1,5 @@
 /* A contact goes on in that of the next node which lies nearest on the wheel, on the same rail body and not further off than a
- * patch is wide.  Pairs are made nearest first, so no row goes on in two or is continued by two.
+ * patch is wide; at the next station also where the falls of both lead from one height to the other.  Pairs are made nearest first, so no row goes on in two or is continued by two.
  *
  * Identity is a relation between neighbours, no number of its own: where two minima of the gap merge (the fold of the table over u and
  * yaw at which tread and flange contact become one) a walk around the fold leads from one to the other. */
@@ -12,8 +12,23 @@
 /* m, on the wheel.  As far as minima are kept apart; from station to station the edge of a wing rail moves 6 mm in 0.1 m. */
 static const double reach[CTAB_LINKS] = {[CTAB_LINK_U] = GAP_APART, [CTAB_LINK_YAW] = GAP_APART, [CTAB_LINK_STATION] = 8e-3};
 
-/* Rows from[n][CTAB_N] of a node, their links link[n][CTAB_LINKS], rows to[m] of the next one. */
-static void link_nodes(const float *from, uint8_t *link, int n, const float *to, int m, enum ctab_link axis)
+#define FALL_MOST 0.05        /* a flank that runs aslant falls by more, but not as far as the next section */
+#define OFF_MOST 5e-4         /* m, between a contact's height at the next station and where its falls lead */
+double link_fall(const float *row)
+{
+    double fall = row[CTAB_HEIGHT_S];
+
+    return fall > FALL_MOST ? FALL_MOST : fall < -FALL_MOST ? -FALL_MOST : fall;
+}
+
+/* Do the heights a and b of two stations, `length` (m) apart, follow from one another? */
+static int follows(const float *a, const float *b, double length)
+{
+    return fabs((double)b[CTAB_HEIGHT] - (double)a[CTAB_HEIGHT] - 0.5 * (link_fall(a) + link_fall(b)) * length) < OFF_MOST;
+}
+
+/* Rows from[n][CTAB_N] of a node, their links link[n][CTAB_LINKS], rows to[m] of the next one; stations are `length` (m) apart. */
+static void link_nodes(const float *from, uint8_t *link, int n, const float *to, int m, enum ctab_link axis, double length)
 {
     unsigned taken = 0;
 
@@ -24,7 +39,7 @@ static void link_nodes(const float *from, uint8_t *link, int n, const float *to,
             for (int j = 0; j < m && !link[i * CTAB_LINKS + axis]; j++) {
                 const float *a = from + i * CTAB_N, *b = to + j * CTAB_N;
                 double far = fabs((double)a[CTAB_WHEEL_Y] - (double)b[CTAB_WHEEL_Y]);
-                if (far < best && a[CTAB_BODY] == b[CTAB_BODY] && !(taken >> j & 1)) {
+                if (far < best && a[CTAB_BODY] == b[CTAB_BODY] && !(taken >> j & 1) && (axis != CTAB_LINK_STATION || follows(a, b, length))) {
                     best = far;
                     i_best = i;
                     j_best = j;
@@ -42,6 +57,7 @@ void link_rows(const struct ctab *t, uint8_t *link)
     for (int64_t is = 0; is < t->stations; is++)
         for (int64_t iy = 0; iy < t->yaws; iy++)
             for (int64_t iu = 0; iu < t->us; iu++) {
+                double length = is + 1 < t->stations ? t->station[is + 1] - t->station[is] : 0;
                 const int64_t next[CTAB_LINKS][3] = {{is, iy, iu + 1}, {is, iy + 1, iu}, {is + 1, iy, iu}};
                 int n, m;
                 const float *from = ctab_node(t, is, iy, iu, &n);
@@ -51,7 +67,7 @@ void link_rows(const struct ctab *t, uint8_t *link)
                     if (at[0] == t->stations || at[1] == t->yaws || at[2] == t->us)
                         continue;
                     const float *to = ctab_node(t, at[0], at[1], at[2], &m);
-                    link_nodes(from, own, n, to, m, axis);
+                    link_nodes(from, own, n, to, m, axis, length);
                 }
             }
 }

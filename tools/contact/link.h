@@ -4,6 +4,9 @@
 
 #include "formats/ctab.h"
 
+/* How a row's contact falls along the track, as far as that holds to the next station: 1. */
+double link_fall(const float *row);
+
 /* Links of all rows of t into link[rows][CTAB_LINKS]. */
 void link_rows(const struct ctab *t, uint8_t *link);
 

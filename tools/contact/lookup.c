@@ -12,10 +12,10 @@
 #include <math.h>
 
 #include "tools/contact/clones.h"
+#include "tools/contact/link.h"
 
 #define LEAST_WEIGHT 1e-12    /* what rounding leaves of a corner on the query's own node */
 #define TANGENT_MOST 0.05     /* m of station a contact that ends goes on along its tangent */
-#define FALL_MOST 0.05        /* 1: a flank that runs aslant falls by more, but not as far as the next section */
 
 enum { CORNERS = 8, AXES = CTAB_LINKS };      /* bit 0 of a corner u, bit 1 yaw, bit 2 station */
 
@@ -25,6 +25,7 @@ struct cell {
     unsigned in;                    /* bits of the corners that count */
     double weight[CORNERS];
     double per_s[CORNERS];          /* 1/m, derivative of the weight by station */
+    int inside;                     /* between the first and the last station */
     double off[AXES][2];            /* m, rad, m from the lower and the upper end of the cell to the query */
 };
 
@@ -71,7 +72,7 @@ static void cell_corners(const struct ctab *t, double s, double yaw, double u, s
     int64_t is = bracket(t->station, t->stations, s, &ts);
     int64_t iy = even_bracket(t->yaw, t->yaws, yaw, &ty);
     int64_t iu = even_bracket(t->u, t->us, u, &tu);
-    int inside = t->stations > 1 && s >= t->station[0] && s < t->station[t->stations - 1];
+    const int inside = t->stations > 1 && s >= t->station[0] && s < t->station[t->stations - 1];
     double length = t->stations > 1 ? t->station[is + 1] - t->station[is] : 1, per_length = inside ? 1 / length : 0;
     double dy = t->yaws > 1 ? t->yaw[iy + 1] - t->yaw[iy] : 0, du = t->u[iu + 1] - t->u[iu];
     double across[4] = {(1 - tu) * (1 - ty), tu * (1 - ty), (1 - tu) * ty, tu * ty};
@@ -81,6 +82,7 @@ static void cell_corners(const struct ctab *t, double s, double yaw, double u, s
         c->off[CTAB_LINK_YAW][end] = (ty - end) * dy;
         c->off[CTAB_LINK_STATION][end] = (ts - end) * length;
     }
+    c->inside = inside;
     c->in = 0;
     for (int k = 0; k < CORNERS; k++) {
         int at = k & 3, ahead = k >> 2;
@@ -196,9 +198,9 @@ static double carried(const struct cell *c, const struct branch *b, int k, const
 {
     static const double part[2] = {1, 0.5};
     double part_s = part[b->held >> (k ^ 4) & 1], ds = c->off[CTAB_LINK_STATION][k >> 2];
-    double fall = row[CTAB_HEIGHT_S] > FALL_MOST ? FALL_MOST : row[CTAB_HEIGHT_S] < -FALL_MOST ? -FALL_MOST : row[CTAB_HEIGHT_S];
+    double fall = link_fall(row);
 
-    *by_station = part_s * fall;
+    *by_station = c->inside ? part_s * fall : 0;
     if (part_s == 1 && fabs(ds) > TANGENT_MOST) {
         ds = copysign(TANGENT_MOST, ds);
         *by_station = 0;

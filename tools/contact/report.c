@@ -46,10 +46,10 @@ static void contact_row(const struct contact *c, double first, double row[ALL])
     row[GAP] = c->height - first;
 }
 
-/* The lookup would hold it at the end. */
+/* The lookup would hold it at the end; a table of one yaw answers for any. */
 static const char *check_yaw(const struct ctab *t, double yaw)
 {
-    if (yaw >= t->yaw[0] && yaw <= t->yaw[t->yaws - 1])
+    if (t->yaws == 1 || (yaw >= t->yaw[0] && yaw <= t->yaw[t->yaws - 1]))
         return NULL;
     return reason("yaw %g rad is beyond the table, %g to %g", yaw, t->yaw[0], t->yaw[t->yaws - 1]);
 }

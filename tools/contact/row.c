@@ -36,7 +36,7 @@ void row_make(const struct search_contact *c, const struct search *s, const stru
         thesis_invert(x, y, z, m->slope, s->wheel_position, t->radius, yaw, c->cut, &p);
     else
         locus_invert(x, y, z, m->slope, t->radius, yaw, &p);
-    hertz_curvatures(wheel_k, 1 / (p.r * sqrt(1 + p.rate * p.rate)), rail_k, row_twist(&p, m->fall, c->cut ? 0 : yaw), &A, &B);
+    hertz_curvatures(wheel_k, 1 / (p.r * sqrt(1 + p.rate * p.rate)), rail_k, row_twist(&p, s->method == SEARCH_EXACT ? m->fall : 0, c->cut ? 0 : yaw), &A, &B);
     hertz_contact(A, B, t->shear_modulus, t->poisson, &h);
     double shape = patch_deviation(&c->pair, m, B, &h, t->load);
     if (law)

@@ -205,9 +205,8 @@ static void body_tabulate(struct search *s, const struct prof *p, int64_t poly, 
     double reach = ALONE;
 
     poly_copy(p, poly, s->mirror, &s->line);
-    for (int64_t i = 0; i < s->line.n && s->method != SEARCH_EXACT; i++)
-        s->line.along[i] = s->line.bend[i] = 0;
     gap_tabulate(&s->line, s->gap.step, c);
+    c->level |= s->method != SEARCH_EXACT;
     if (s->method == SEARCH_EXACT) {
         body_join(s, p, poly, -1, c, &reach);
         body_join(s, p, poly, 1, c, &reach);
