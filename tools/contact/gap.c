@@ -224,7 +224,9 @@ static struct gap_minimum minimum_at(const struct overlap *o, const double *d, i
     int64_t j = i + o->off;
 
     if (t > 0) {
-        if (o->r->level)                                          /* else the node's x differ, and z with them */
+        /* Both at a's x, from which b's differs. */
+        rail.slope = hermite_at(a.z, a.slope, b.z - 0.5 * (a.fall + b.fall) * (b.x - a.x), b.slope, step, t).slope;
+        if (o->r->level)
             rail = hermite_at(a.z, a.slope, b.z, b.slope, step, t);
         gap = hermite_at(gap.z, d[0], gap_height(o, i + 1), d[1], step, t);
     }

@@ -26,6 +26,7 @@ struct cell {
     double weight[CORNERS];
     double per_s[CORNERS];          /* 1/m, derivative of the weight by station */
     int inside;                     /* between the first and the last station */
+    double off_yaw[2];              /* rad, the same to the yaw asked for, which the table may hold at its end */
     double off[AXES][2];            /* m, rad, m from the lower and the upper end of the cell to the query */
 };
 
@@ -229,7 +230,7 @@ CLONES static void blend_rows(const struct ctab *t, const struct branch *b, int 
 /* Mean of a branch over its corners, at roll 0. */
 static void blend(const struct ctab *t, const struct cell *c, const struct branch *b, struct contact *o)
 {
-    double W = 0, W_s = 0, h = 0, h_s = 0, body = 0, share[CORNERS];
+    double W = 0, W_s = 0, h = 0, h_s = 0, turned = 0, body = 0, share[CORNERS];
     int held = 0;
 
     for (int k = 0; k < CORNERS; k++) {
@@ -239,6 +240,7 @@ static void blend(const struct ctab *t, const struct cell *c, const struct branc
         double w = c->weight[k], by_station, height = carried(c, b, k, row, &by_station);
         W += w;
         W_s += c->per_s[k];
+        turned += w * c->off_yaw[k >> 1 & 1];
         h += w * height;
         h_s += c->per_s[k] * height + w * by_station;
         body = row[CTAB_BODY];
@@ -252,6 +254,8 @@ static void blend(const struct ctab *t, const struct cell *c, const struct branc
     blend_rows(t, b, held, share, o->row);
     o->height = h / W;
     o->height_s = (h_s - o->height * W_s) / W;
+    o->height_yaw = o->row[CTAB_HEIGHT_YAW] - o->height_s * t->wheel_position;
+    o->row[CTAB_X] -= t->wheel_position * turned / W;             /* corners of another yaw, where some lack the contact */
     o->row[CTAB_BODY] = body;
 }
 
@@ -283,8 +287,10 @@ int contact_lookup(const struct ctab *t, double s, double yaw, double u, double 
 
     if (!(u >= t->u[0] && u <= t->u[t->us - 1]))
         return -1;
-    yaw = yaw < t->yaw[0] ? t->yaw[0] : yaw > t->yaw[t->yaws - 1] ? t->yaw[t->yaws - 1] : yaw;
-    cell_corners(t, s - t->wheel_position * yaw * (1 - yaw * yaw / 6), yaw, u, &cell);    /* sin: yaw is small */
+    double held = yaw < t->yaw[0] ? t->yaw[0] : yaw > t->yaw[t->yaws - 1] ? t->yaw[t->yaws - 1] : yaw;
+    cell_corners(t, s - t->wheel_position * yaw * (1 - yaw * yaw / 6), held, u, &cell);    /* sin: yaw is small */
+    for (int end = 0; end < 2; end++)
+        cell.off_yaw[end] = cell.off[CTAB_LINK_YAW][end] + yaw - held;
     join(t, &cell, &joined);
     for (int j = 0; j < joined.n; j++) {
         if (!joined.branch[j].held || n == CONTACT_MAX)

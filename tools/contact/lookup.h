@@ -13,6 +13,7 @@ struct contact {
     double height;           /* m, z of the running circle's lowest point, from the rail's origin, when it touches */
     double height_u;         /* 1, derivative of height by u */
     double height_s;         /* 1, by station */
+    double height_yaw;       /* m/rad, by yaw, the wheelset's station held */
     double height_roll;      /* m/rad, by roll at fixed u */
     double row[CTAB_N];      /* as the table's columns, at the query */
 };

@@ -43,8 +43,8 @@ static const char *approach_find(struct approach *a, const struct wheel_input *i
         const struct contact *c = &a->c[k];
         a->cosg[k] = cos(c->row[CTAB_ANGLE]);
         a->reach[k] = in->z + in->roll * b - c->height - in->rail_z - in->dip;
-        a->rate[k] = in->vz + in->vroll * b - c->height_u * vu - c->height_roll * in->vroll - c->height_s * in->v -
-                     in->rail_v - in->rail_slope * in->v - in->dip_slope * in->v;
+        a->rate[k] = in->vz + in->vroll * b - c->height_u * vu - c->height_roll * in->vroll - c->height_yaw * in->vyaw - c->height_s * in->v -
+                     in->rail_v - in->rail_slope * in->v - in->dip_slope * in->v - c->height_yaw * in->vyaw;
     }
     return NULL;
 }
@@ -120,6 +120,13 @@ static double creep_damping(const struct ctab *t, double a, double b, double cos
     return t->shear_modulus * a * b * C[KALKER_C22] * cosg * cosg / v;
 }
 
+/* The longitudinal part of a normal force whose other parts are Fy, Fz, at r: a surface of revolution's normals meet its axle,
+ * (-yaw, 1, roll), so the force has no moment about it. */
+static double normal_ahead(const struct wheel_input *in, const double r[3], double Fy, double Fz)
+{
+    return (r[0] * (Fz - in->roll * Fy) + in->yaw * (r[1] * Fz - r[2] * Fy)) / (r[2] - in->roll * r[1]);
+}
+
 /* What contact k adds to the wheel's forces. */
 static void add_contact(const struct wheel_law *law, const struct wheel_input *in, const struct approach *a, int k,
                         double rail_z, struct wheel_output *out, struct wheel_patch *p)
@@ -134,7 +141,7 @@ static void add_contact(const struct wheel_law *law, const struct wheel_input *i
     creepages(in, r, y, g, a->rate[k], creep);
     fastsim(&law->grid, semi_a, semi_b, N, law->friction, t->shear_modulus, t->poisson, creep[0], creep[1], creep[2], T);
     out->creep_damping += w * creep_damping(t, semi_a, semi_b, cosg, in->v);
-    F[0] = w * T[0];                             /* on the rail: N n + Tx x + Ty t, spin moment Mz n */
+    F[0] = w * (T[0] + normal_ahead(in, r, -N * sing, N * cosg));    /* on the rail: N n + Tx x + Ty t, spin moment Mz n */
     F[1] = w * (-N * sing + T[1] * cosg);
     F[2] = w * (N * cosg + T[1] * sing);
     M[0] = r[1] * F[2] - r[2] * F[1];
@@ -150,7 +157,7 @@ static void add_contact(const struct wheel_law *law, const struct wheel_input *i
     out->moment[0] -= M[0];
     out->moment[1] -= M[1] - in->yaw * M[0] + in->roll * M[2]; /* about the axle (-yaw, 1, roll) */
     out->moment[2] -= M[2];
-    *p = (struct wheel_patch){w * N, F[0], w * T[1], creep[0], creep[1], creep[2],
+    *p = (struct wheel_patch){w * N, w * T[0], w * T[1], creep[0], creep[1], creep[2],
                               row[CTAB_RAIL_Y], row[CTAB_WHEEL_Y], row[CTAB_X], g, row[CTAB_BODY]};
 }
 
