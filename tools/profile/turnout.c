@@ -49,7 +49,7 @@ static double table_at(const struct yaml_nums *pairs, double x)
     while (x >= t[2 * i + 2])
         i++;
     double h = t[2 * i + 2] - t[2 * i], u = (x - t[2 * i]) / h, v = 1 - u;
-    return v * v * (1 + 2 * u) * t[2 * i + 1] + u * u * (1 + 2 * v) * t[2 * i + 3] +
+    return t[2 * i + 1] + u * u * (1 + 2 * v) * (t[2 * i + 3] - t[2 * i + 1]) +
            h * u * v * (v * table_slope(t, m, i) - u * table_slope(t, m, i + 1));
 }
 
