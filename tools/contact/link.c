@@ -1,5 +1,5 @@
-/* A contact goes on in that of the next node which lies nearest on the wheel, on the same rail body and not further off than a
- * patch is wide.  Pairs are made nearest first, so no row goes on in two or is continued by two.
+/* A contact goes on in that of the next node which lies nearest on the wheel and in height, on the same rail body and not further off on the
+ * wheel than a patch is wide.  Pairs are made nearest first, so no row goes on in two or is continued by two.
  *
  * Identity is a relation between neighbours, no number of its own: where two minima of the gap merge (the fold of the table over u and
  * yaw at which tread and flange contact become one) a walk around the fold leads from one to the other. */
@@ -16,13 +16,14 @@ static void link_nodes(const float *from, uint8_t *link, int n, const float *to,
     unsigned taken = 0;
 
     for (int pairs = n < m ? n : m; pairs > 0; pairs--) {
-        double best = reach[axis];
+        double best = INFINITY;
         int i_best = -1, j_best = -1;
         for (int i = 0; i < n; i++)
             for (int j = 0; j < m && !link[i * CTAB_LINKS + axis]; j++) {
                 const float *a = from + i * CTAB_N, *b = to + j * CTAB_N;
-                double far = fabs((double)a[CTAB_WHEEL_Y] - (double)b[CTAB_WHEEL_Y]);
-                if (far < best && a[CTAB_BODY] == b[CTAB_BODY] && !(taken >> j & 1)) {
+                double aside = fabs((double)a[CTAB_WHEEL_Y] - (double)b[CTAB_WHEEL_Y]);
+                double far = aside + fabs((double)a[CTAB_HEIGHT] - (double)b[CTAB_HEIGHT]);
+                if (aside < reach[axis] && far < best && a[CTAB_BODY] == b[CTAB_BODY] && !(taken >> j & 1)) {
                     best = far;
                     i_best = i;
                     j_best = j;
