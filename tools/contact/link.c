@@ -1,5 +1,6 @@
-/* A contact goes on in that of the next node which lies nearest on the wheel, on the same rail body and not further off than a
- * patch is wide; at the next station also where the falls of both lead from one height to the other.  Pairs are made nearest first, so no row goes on in two or is continued by two.
+/* A contact goes on in that of the next node which lies nearest on the wheel and in height, on the same rail body and not further off on the
+ * wheel than a patch is wide; at the next station only where the falls of both lead from one height to the other.  Pairs are made nearest
+ * first, so no row goes on in two or is continued by two.
  *
  * Identity is a relation between neighbours, no number of its own: where two minima of the gap merge (the fold of the table over u and
  * yaw at which tread and flange contact become one) a walk around the fold leads from one to the other. */
@@ -14,6 +15,7 @@ static const double reach[CTAB_LINKS] = {[CTAB_LINK_U] = GAP_APART, [CTAB_LINK_Y
 
 #define FALL_MOST 0.05        /* a flank that runs aslant falls by more, but not as far as the next section */
 #define OFF_MOST 5e-4         /* m, between a contact's height at the next station and where its falls lead */
+
 double link_fall(const float *row)
 {
     double fall = row[CTAB_HEIGHT_S];
@@ -21,10 +23,12 @@ double link_fall(const float *row)
     return fall > FALL_MOST ? FALL_MOST : fall < -FALL_MOST ? -FALL_MOST : fall;
 }
 
-/* Do the heights a and b of two stations, `length` (m) apart, follow from one another? */
-static int follows(const float *a, const float *b, double length)
+/* How far (m) the height of b is from that of a, or, at a station `length` (m) further on, from where the falls of both lead. */
+static double height_off(const float *a, const float *b, enum ctab_link axis, double length)
 {
-    return fabs((double)b[CTAB_HEIGHT] - (double)a[CTAB_HEIGHT] - 0.5 * (link_fall(a) + link_fall(b)) * length) < OFF_MOST;
+    double rise = axis == CTAB_LINK_STATION ? 0.5 * (link_fall(a) + link_fall(b)) * length : 0;
+
+    return fabs((double)b[CTAB_HEIGHT] - (double)a[CTAB_HEIGHT] - rise);
 }
 
 /* Rows from[n][CTAB_N] of a node, their links link[n][CTAB_LINKS], rows to[m] of the next one; stations are `length` (m) apart. */
@@ -33,13 +37,15 @@ static void link_nodes(const float *from, uint8_t *link, int n, const float *to,
     unsigned taken = 0;
 
     for (int pairs = n < m ? n : m; pairs > 0; pairs--) {
-        double best = reach[axis];
+        double best = INFINITY;
         int i_best = -1, j_best = -1;
         for (int i = 0; i < n; i++)
             for (int j = 0; j < m && !link[i * CTAB_LINKS + axis]; j++) {
                 const float *a = from + i * CTAB_N, *b = to + j * CTAB_N;
-                double far = fabs((double)a[CTAB_WHEEL_Y] - (double)b[CTAB_WHEEL_Y]);
-                if (far < best && a[CTAB_BODY] == b[CTAB_BODY] && !(taken >> j & 1) && (axis != CTAB_LINK_STATION || follows(a, b, length))) {
+                double aside = fabs((double)a[CTAB_WHEEL_Y] - (double)b[CTAB_WHEEL_Y]), off = height_off(a, b, axis, length);
+                int may = a[CTAB_BODY] == b[CTAB_BODY] && !(taken >> j & 1) && (axis != CTAB_LINK_STATION || off < OFF_MOST);
+                double far = aside + off;
+                if (may && aside < reach[axis] && far < best) {
                     best = far;
                     i_best = i;
                     j_best = j;
