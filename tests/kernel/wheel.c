@@ -249,6 +249,16 @@ static void moments(void)
     near(o.Y, -p->N * sin(-0.2) + p->ty * cos(-0.2), ROW * o.Q, "Y of both");
     near(o.T, p->tx, 0, "T of the creep force");
 
+    /* A rail that falls by 1:100 is touched behind the axle, and its normal force still meets it. */
+    struct wheel_law smooth = hertz(0);
+    memory = (struct wheel_memory){0};
+    in = over_plane(&t, 0, 1e-4);
+    for (int i = 0; i < RIG_US; i++)
+        t.row[i][CTAB_X] = -0.0046f;
+    o = force(&smooth, &in, &memory);
+    near(o.T, -0.01 * o.Q, 1e-5 * o.Q, "a falling rail is pushed back by its slope");
+    near(o.moment[1], 0, ROW * o.Q, "and turns no wheel");
+
     /* A turned axle takes its moment about itself: (-yaw, 1, roll). */
     memory = (struct wheel_memory){0};
     in = over_plane(&t, 0, 1e-4);

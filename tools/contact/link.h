@@ -4,7 +4,7 @@
 
 #include "formats/ctab.h"
 
-/* How a row's contact falls along the track, as far as that holds to the next station: 1. */
+/* How a row's contact falls along the track where that may hold to the next station, else 0: 1. */
 double link_fall(const float *row);
 
 /* Links of all rows of t into link[rows][CTAB_LINKS]. */
