@@ -100,7 +100,7 @@ fails 1 'zones must follow one another' $bin/vxprofile --set zones.2.to=20 data/
 fails 1 'either polynomial, or centre' $bin/vxprofile --set zones.1.radius=0 data/profiles/60E1.yaml
 fails 1 'rails of a turnout stand upright' $bin/vxprofile --set cant=0.025 data/turnouts/60E1-R760-1-15.yaml
 fails 1 'first numbers must increase' $bin/vxprofile --set 'turnout.nose.lowering=[[0.01, 0], [0.005, 0]]' data/turnouts/60E1-R760-1-15.yaml
-fails 1 'stations' $bin/vxprofile --set turnout.stations.2.from=3 data/turnouts/60E1-R760-1-15.yaml
+fails 1 'stations' $bin/vxprofile --set turnout.stations.2.from=1 data/turnouts/60E1-R760-1-15.yaml
 printf 'header.begin\n type = 1\nheader.end\nspline.begin\n units.len.f = 1000\n point.begin\n 0 0\n 10 1\n 20 3\n point.end\nspline.end\n' >"$tmp/w.prr"
 fails 1 'holds a wheel, not a rail' $bin/vxprofile "$tmp/w.prr"
 if [ -w /dev/full ]; then

@@ -8,7 +8,7 @@ turnout_tables && coach
 ok $? "contact tables and coach"
 vxtrack -o "$dir/t.trk" data/tracks/60E1-R760-1-15-diverging.yaml
 ok $? "track"
-vxprofile --side l --set turnout.stations.2.step=0.0625 --set turnout.stations.6.step=0.025 --set turnout.stations.7.step=0.0125 \
+vxprofile --side l --set turnout.stations.2.step=0.0625 --set turnout.stations.7.step=0.0125 \
     -o "$dir/dense.prof" data/turnouts/60E1-R760-1-15.yaml &&
     vxprofile --side l -o "$dir/w.prof" data/profiles/S1002.yaml &&
     vxcontact --wheel "$dir/w.prof" --rail "$dir/dense.prof" --yaw exact -o "$dir/dense.ctab"
