@@ -59,6 +59,10 @@ void cli_note(const char *format, ...)
 
 void cli_check(const char *name, const char *why)
 {
+    size_t length = strlen(name);
+
+    if (why && strncmp(why, name, length) == 0 && why[length] == ':')      /* a reader of text that names file and line itself */
+        cli_die("%s", why);
     if (why)
         cli_die("%s: %s", name, why);
 }
