@@ -13,15 +13,7 @@
 /* m, on the wheel.  As far as minima are kept apart; from station to station the edge of a wing rail moves 6 mm in 0.1 m. */
 static const double reach[CTAB_LINKS] = {[CTAB_LINK_U] = GAP_APART, [CTAB_LINK_YAW] = GAP_APART, [CTAB_LINK_STATION] = 8e-3};
 
-#define FALL_MOST 0.03        /* a flank that runs aslant falls by more, which says nothing of the next section; ramps fall by less */
 #define OFF_MOST 5e-4         /* m, between a contact's height at the next station and where its falls lead */
-
-double link_fall(const float *row)
-{
-    double fall = row[CTAB_HEIGHT_S];
-
-    return fabs(fall) < FALL_MOST ? fall : 0;
-}
 
 /* How far (m) the height of b is from that of a, or, at a station `length` (m) further on, from where the falls of both lead. */
 static double height_off(const float *a, const float *b, enum ctab_link axis, double length)

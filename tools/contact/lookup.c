@@ -26,7 +26,7 @@ struct cell {
     double weight[CORNERS];
     double per_s[CORNERS];          /* 1/m, derivative of the weight by station */
     int inside;                     /* between the first and the last station */
-    double off_yaw[2];              /* rad, the same to the yaw asked for, which the table may hold at its end */
+    double beyond;                  /* rad, of the yaw asked for, beyond the end at which the table holds it */
     double off[AXES][2];            /* m, rad, m from the lower and the upper end of the cell to the query */
 };
 
@@ -227,10 +227,21 @@ CLONES static void blend_rows(const struct ctab *t, const struct branch *b, int 
                  ((w[4] * r[4][i] + w[5] * r[5][i]) + (w[6] * r[6][i] + w[7] * r[7][i]));
 }
 
+/* How far the yaw asked for is from the mean of the corners held. */
+static double mean_off(const struct cell *c, const struct branch *b, const double share[CORNERS])
+{
+    double off = c->beyond;
+
+    for (int k = 0; k < CORNERS; k++)
+        if (b->held >> k & 1)
+            off += share[k] * c->off[CTAB_LINK_YAW][k >> 1 & 1];
+    return off;
+}
+
 /* Mean of a branch over its corners, at roll 0. */
 static void blend(const struct ctab *t, const struct cell *c, const struct branch *b, struct contact *o)
 {
-    double W = 0, W_s = 0, h = 0, h_s = 0, turned = 0, body = 0, share[CORNERS];
+    double W = 0, W_s = 0, h = 0, h_s = 0, share[CORNERS];
     int held = 0;
 
     for (int k = 0; k < CORNERS; k++) {
@@ -240,23 +251,23 @@ static void blend(const struct ctab *t, const struct cell *c, const struct branc
         double w = c->weight[k], by_station, height = carried(c, b, k, row, &by_station);
         W += w;
         W_s += c->per_s[k];
-        turned += w * c->off_yaw[k >> 1 & 1];
         h += w * height;
         h_s += c->per_s[k] * height + w * by_station;
-        body = row[CTAB_BODY];
         held = k;
     }
     o->weight = W;
     if (!(W > 0))
         return;
+    const double per_W = 1 / W;
     for (int k = 0; k < CORNERS; k++)
-        share[k] = c->weight[k] / W;
+        share[k] = c->weight[k] * per_W;
     blend_rows(t, b, held, share, o->row);
-    o->height = h / W;
-    o->height_s = (h_s - o->height * W_s) / W;
+    o->height = h * per_W;
+    o->height_s = (h_s - o->height * W_s) * per_W;
     o->height_yaw = o->row[CTAB_HEIGHT_YAW] - o->height_s * t->wheel_position;
-    o->row[CTAB_X] -= t->wheel_position * turned / W;             /* corners of another yaw, where some lack the contact */
-    o->row[CTAB_BODY] = body;
+    if (b->held != c->in || c->beyond)                            /* x holds -y tan(yaw), of the mean yaw of the corners held */
+        o->row[CTAB_X] -= t->wheel_position * mean_off(c, b, share);
+    o->row[CTAB_BODY] = t->row[b->row[held] * CTAB_N + CTAB_BODY];
 }
 
 /* Carries a contact from roll 0 to roll.  The wheel's own slope, angle less roll, sets how far ahead it touches. */
@@ -289,8 +300,7 @@ int contact_lookup(const struct ctab *t, double s, double yaw, double u, double 
         return -1;
     double held = yaw < t->yaw[0] ? t->yaw[0] : yaw > t->yaw[t->yaws - 1] ? t->yaw[t->yaws - 1] : yaw;
     cell_corners(t, s - t->wheel_position * yaw * (1 - yaw * yaw / 6), held, u, &cell);    /* sin: yaw is small */
-    for (int end = 0; end < 2; end++)
-        cell.off_yaw[end] = cell.off[CTAB_LINK_YAW][end] + yaw - held;
+    cell.beyond = yaw - held;
     join(t, &cell, &joined);
     for (int j = 0; j < joined.n; j++) {
         if (!joined.branch[j].held || n == CONTACT_MAX)
