@@ -51,6 +51,23 @@ $bin/vxfreq --receptance --peaks --hermite --at midspan --from 800 --to 1000 "$t
 	awk '$1 == "peak" && $3 > most { most = $3; f = $2 } END { exit !(f >= 905 && f <= 909) }'
 ok $? "halfway by Hermite's polynomials: pinned-pinned at 907 Hz"
 
+# A receptance does not change where force and motion change places.
+cross() { # excite at motion motion-at
+	$bin/vxfreq --receptance --excite "$1" --at "$2" --motion "$3" --motion-at "$4" --from 10 --to 1500 --step 10 "$tmp/t.trk" >"$tmp/c.frf" &&
+		$bin/vxdump --csv "$tmp/c.frf" receptance | grep -v '^[a-z#]'
+}
+answers() { # text place1 place2, each "who where"
+	cross $2 $3 >"$tmp/one" && cross $3 $2 >"$tmp/other" && paste -d, "$tmp/one" "$tmp/other" |
+		awk -F, 'function size(x) { return x < 0 ? -x : x }
+			size($1 - $3) + size($2 - $4) <= 1e-9 * (size($1) + size($2)) { good++ } END { exit !(good == 150 && NR == 150) }'
+	ok $? "$1"
+}
+answers "the right rail at 2.1 m answers the left one at 0.45 m as this answers that" "left 0.45" "right 2.1"
+answers "so do rail and sleeper" "left 0" "sleeper 3"
+$bin/vxfreq --receptance --quantity accelerance --excite left --at 0.45 "$tmp/t.trk" >"$tmp/a.frf" &&
+	$bin/vxinfo "$tmp/a.frf" | grep -q 'accelerance  *f64  *1491 x 2  .m/s2/N.' && $bin/vxinfo "$tmp/a.frf" | grep -q 'hermite  *f64  *1491 x 2'
+ok $? "an accelerance at a station, exact and by the thesis' polynomials"
+
 $bin/vxfreq --static --load 1e6 "$tmp/t.trk" >"$tmp/static"
 awk '/^deflection/ { k = 1e6 / $2; good = $3 == "m" && k > 0.99 * 200.9e6 && k < 1.01 * 200.9e6 } END { exit !good }' "$tmp/static"
 ok $? "static stiffness 200.9 MN/m"
@@ -80,6 +97,10 @@ refuses 2 "load" "--static without a load" $bin/vxfreq --static "$tmp/t.trk"
 refuses 2 "lies below" "a range that runs backwards" $bin/vxfreq --receptance --from 100 --to 10 "$tmp/t.trk"
 refuses 2 "is not a number" "a number with a unit" $bin/vxfreq --receptance --from 10Hz "$tmp/t.trk"
 refuses 2 "must be one of" "a third rail" $bin/vxfreq --receptance --excite middle "$tmp/t.trk"
+refuses 2 "go with" "a quantity of modes" $bin/vxfreq --modes 3 --quantity mobility "$tmp/t.trk"
+refuses 2 "loads rails" "a static load on a sleeper" $bin/vxfreq --static --load 1 --excite sleeper "$tmp/t.trk"
+refuses 2 "must be -14.7" "a station beyond the track" $bin/vxfreq --receptance --at 15.1 "$tmp/t.trk"
+refuses 2 "NUMBER" "a place that is none" $bin/vxfreq --receptance --at bridge "$tmp/t.trk"
 refuses 2 "goes with" "--text without --modes" $bin/vxfreq --receptance --text "$tmp/t.trk"
 refuses 2 "input is missing" "no input" $bin/vxfreq --receptance
 refuses 1 "where a .trk file is wanted" "a receptance where a track is wanted" $bin/vxfreq --receptance "$tmp/x.frf"

@@ -16,14 +16,17 @@
 static const char *make_receptance(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
 {
     const char *why = NULL;
+    int quantity = 0;
 
     (void)o;
-    receptance_begin(c);
     for (int k = 0; k < n && !why; k++) {
         struct frf r;
-        why = frf_read(&r, in[k].file);
-        if (!why)
-            why = receptance_add(c, &r, in[k].label);
+        if ((why = frf_read(&r, in[k].file)))
+            break;
+        if (k == 0)
+            receptance_begin(c, quantity = r.quantity);
+        why = r.quantity == quantity ? receptance_add(c, &r, in[k].label) : reason("%s and %s do not share an axis",
+                                                                                   frf_quantity[quantity].name, frf_quantity[r.quantity].name);
     }
     return why;
 }

@@ -5,7 +5,8 @@
 #include "formats/frf.h"
 #include "tools/draw/chart.h"
 
-void receptance_begin(struct chart *c);    /* axes and panels of c, begun */
+/* Axes and panels of c, for a quantity of frf.h. */
+void receptance_begin(struct chart *c, int quantity);
 
 /* Adds the curve of r, whose frequencies must live until the chart is drawn; label NULL tells what was excited and where.  Where r holds
  * the values by Hermite interpolation, they are added in grey. */
