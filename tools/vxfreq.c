@@ -3,7 +3,9 @@
  * In: .trk, or .veh for modes.  Out: .frf, receptance by direct solution at each frequency; .mod, natural modes, undamped and with the
  * damping of the complex eigenvalue; or text.  z down, H = motion over force for exp(+i omega t), SI units. */
 #include "tools/cli/cli.h"
+#include "tools/cli/table.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -15,6 +17,7 @@
 #include "tools/receptance/modes.h"
 #include "tools/receptance/peaks.h"
 #include "tools/receptance/place.h"
+#include "tools/receptance/stiffness.h"
 #include "tools/receptance/sweep.h"
 #include "tools/track/seat.h"
 
@@ -23,21 +26,26 @@ static const char usage[] =
     "[--motion-at sleeper|midspan|M] [--quantity receptance|mobility|accelerance] [--from HZ] [--to HZ] [--step HZ] "
     "[--peaks [--hermite]] [-o FILE] TRACK\n"
     "vxfreq --modes N [--near HZ] [--text] [-o FILE] TRACK|VEHICLE\n"
-    "vxfreq --static --load N [--excite left|right|both] [--at sleeper|midspan|M] [--x M] [-o FILE] TRACK";
+    "vxfreq --static --load N [--excite left|right|both] [--at sleeper|midspan|M] [--x M] [-o FILE] TRACK\n"
+    "vxfreq --static --load N --axles M,... [--excite left|right|both] [--every M] TRACK\n"
+    "vxfreq --stiffness [--every M] TRACK";
 
 static const double NOWHERE = -1e9;
+enum { AXLES_MOST = 64 };
 
 static struct {
-    int receptance, statics, peaks, hermite, text;
+    int receptance, statics, stiffness, peaks, hermite, text;
     int excite, motion, quantity;
     const char *at, *motion_at;      /* NULL: where the force is */
     int64_t modes;
     double x;                        /* m; NOWHERE is the middle of the track */
     double load;                     /* N on each loaded rail */
+    const char *axles;               /* m, stations */
+    double every;                    /* m, of a table along the track */
     double near;                     /* Hz */
     struct sweep sweep;              /* Hz */
     const char *out;
-} opt = {.excite = PLACE_BOTH, .motion = -1, .at = "sleeper", .x = -1e9, .sweep = {10, 1500, 1}};
+} opt = {.excite = PLACE_BOTH, .motion = -1, .at = "sleeper", .x = -1e9, .every = 0.1, .sweep = {10, 1500, 1}};
 
 static const char *const motions[] = {"left", "right", "sleeper", NULL};
 static const char *const quantities[] = {"receptance", "mobility", "accelerance", NULL};
@@ -46,6 +54,7 @@ static const struct cli_option options[] = {
     {.name = "receptance", .type = CLI_FLAG, .value = &opt.receptance},
     {.name = "modes", .type = CLI_INT, .value = &opt.modes, .lo = 1, .hi = 1e6},
     {.name = "static", .type = CLI_FLAG, .value = &opt.statics},
+    {.name = "stiffness", .type = CLI_FLAG, .value = &opt.stiffness},
     {.name = "excite", .type = CLI_CHOICE, .value = &opt.excite, .choice = place_on},
     {.name = "at", .type = CLI_TEXT, .value = &opt.at},
     {.name = "motion", .type = CLI_CHOICE, .value = &opt.motion, .choice = motions},
@@ -60,6 +69,8 @@ static const struct cli_option options[] = {
     {.name = "near", .type = CLI_NUM, .value = &opt.near, .lo = 0, .hi = 1e6},
     {.name = "text", .type = CLI_FLAG, .value = &opt.text},
     {.name = "load", .type = CLI_NUM, .value = &opt.load, .lo = 1e-6, .hi = 1e9},
+    {.name = "axles", .type = CLI_TEXT, .value = &opt.axles},
+    {.name = "every", .type = CLI_NUM, .value = &opt.every, .lo = 1e-3, .hi = 1e3},
     {.name = "o", .type = CLI_TEXT, .value = &opt.out},
     {0},
 };
@@ -76,8 +87,12 @@ static const char *parse(int argc, char **argv)
     int n;
     char **operand = cli_begin(&program, argc, argv, 1, 1, &n);
 
-    if (opt.receptance + opt.statics + (opt.modes > 0) != 1)
-        cli_misuse("one of --receptance, --modes and --static is wanted");
+    if (opt.receptance + opt.statics + opt.stiffness + (opt.modes > 0) != 1)
+        cli_misuse("one of --receptance, --modes, --static and --stiffness is wanted");
+    if (opt.axles && !opt.statics)
+        cli_misuse("--axles goes with --static");
+    if (opt.out && (opt.stiffness || opt.axles))
+        cli_misuse("a table along the track goes to standard output, not to -o");
     if (opt.statics && !(opt.load > 0))
         cli_misuse("--static needs --load, the force in N on each rail that --excite names");
     if (opt.sweep.to < opt.sweep.from)
@@ -175,6 +190,57 @@ static void run_static(const struct vxf *f, const char *name)
     trk_free(&t);
 }
 
+/* Stations of a table along the track, every opt.every from its beginning; freed by the caller. */
+static double *list_stations(const struct trk *t, int64_t *n)
+{
+    *n = (int64_t)floor((t->x[t->nodes - 1] - t->x[0]) / opt.every + 1e-9) + 1;
+    double *x = calloc((size_t)*n, sizeof *x);
+
+    if (!x)
+        cli_die(REASON_MEMORY);
+    for (int64_t i = 0; i < *n; i++)
+        x[i] = t->x[0] + (double)i * opt.every;
+    return x;
+}
+
+/* A table of n rows: stations and values [n][columns - 1]. */
+static void print_table(const struct column *c, int columns, int64_t n, const double *x, const double *value)
+{
+    double row[8];
+
+    cli_header(c, columns);
+    for (int64_t i = 0; i < n; i++) {
+        row[0] = x[i];
+        memcpy(&row[1], &value[i * (columns - 1)], (size_t)(columns - 1) * sizeof *row);
+        cli_row(c, columns, row);
+    }
+}
+
+static void run_along(const struct vxf *f, const char *name)
+{
+    static const struct column stiffness[] = {{"station", "m", 6}, {"left_alone", "N/m", 6}, {"right_alone", "N/m", 6}, {"left", "N/m", 6},
+                                              {"right", "N/m", 6}};
+    static const struct column bowl[] = {{"station", "m", 6}, {"left", "m", 6}, {"right", "m", 6}};
+    double axle[AXLES_MOST];
+    struct trk t;
+    int64_t n;
+
+    cli_check(name, trk_read(&t, f));
+    double *x = list_stations(&t, &n), *value = calloc((size_t)n, STIFFNESS_N * sizeof *value);
+    if (!value)
+        cli_die(REASON_MEMORY);
+    if (opt.stiffness)
+        cli_check(name, stiffness_along(&t, n, x, value));
+    else {
+        const int axles = cli_numbers("axles", opt.axles, t.x[0], t.x[t.nodes - 1], axle, AXLES_MOST);
+        cli_check(name, stiffness_bowl(&t, opt.excite, opt.load, axles, axle, n, x, value));
+    }
+    print_table(opt.stiffness ? stiffness : bowl, opt.stiffness ? 5 : 3, n, x, value);
+    free(x);
+    free(value);
+    trk_free(&t);
+}
+
 static void print_modes(const struct mod *m)
 {
     struct cli_out out;
@@ -221,6 +287,8 @@ int main(int argc, char **argv)
     cli_open(&f, path, NULL);
     if (opt.receptance)
         run_receptance(&f, name);
+    else if (opt.stiffness || opt.axles)
+        run_along(&f, name);
     else if (opt.statics)
         run_static(&f, name);
     else

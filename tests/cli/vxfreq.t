@@ -76,6 +76,17 @@ awk '/^seat force/ { f = $3 > 42.2e3 && $3 < 44e3 } /^pad compression/ { c = $3 
 	"$tmp/static"
 ok $? "93.2 kN on ballast of 400 and pads of 150 MN/m: seat force 43.1 kN, compression 0.288 mm"
 
+$bin/vxtrack data/tracks/60E1-R760-1-15-diverging.yaml | $bin/vxfreq --stiffness --every 0.3 - >"$tmp/k"
+awk 'NR > 1 && $1 > -60 && $1 < -40 && ($4 < 196e6 || $4 > 202e6) { bad++ }
+	NR > 1 { if ($4 < 1.1e8 || $5 < 1.1e8 || $2 <= $4 || $3 <= $5) bad++ }
+	END { exit !(NR > 500 && !bad) }' "$tmp/k"
+ok $? "stiffness along the turnout: 200 MN/m on the run-in, more where the other rail is free"
+$bin/vxfreq --static --load 93.2e3 --axles -1.25,1.25 --every 0.25 "$tmp/t.trk" >"$tmp/bowl"
+awk 'NR == 1 { good = $1 == "station[m]" && $2 == "left[m]" && $3 == "right[m]" }
+	$1 * $1 < 4 && $2 > 0.40e-3 && $2 < 0.50e-3 { deep++ }
+	END { exit !(good && deep && NR > 110) }' "$tmp/bowl"
+ok $? "the bowl under two axles of a bogie"
+
 for f in 129.0 505.1; do
 	$bin/vxfreq --modes 8 --near $f --text "$tmp/t.trk" |
 		awk -v f=$f '/in phase/ && $2 > f - 0.1 && $2 < f + 0.1 { good = 1 } END { exit !good }'
@@ -98,6 +109,9 @@ refuses 2 "lies below" "a range that runs backwards" $bin/vxfreq --receptance --
 refuses 2 "is not a number" "a number with a unit" $bin/vxfreq --receptance --from 10Hz "$tmp/t.trk"
 refuses 2 "must be one of" "a third rail" $bin/vxfreq --receptance --excite middle "$tmp/t.trk"
 refuses 2 "go with" "a quantity of modes" $bin/vxfreq --modes 3 --quantity mobility "$tmp/t.trk"
+refuses 2 "goes with" "axles of a receptance" $bin/vxfreq --receptance --axles 3 "$tmp/t.trk"
+refuses 2 "must be" "an axle beyond the track" $bin/vxfreq --static --load 1 --axles 3,99 "$tmp/t.trk"
+refuses 2 "standard output" "a table into a file" $bin/vxfreq --stiffness -o "$tmp/k" "$tmp/t.trk"
 refuses 2 "loads rails" "a static load on a sleeper" $bin/vxfreq --static --load 1 --excite sleeper "$tmp/t.trk"
 refuses 2 "must be -14.7" "a station beyond the track" $bin/vxfreq --receptance --at 15.1 "$tmp/t.trk"
 refuses 2 "NUMBER" "a place that is none" $bin/vxfreq --receptance --at bridge "$tmp/t.trk"

@@ -128,6 +128,20 @@ static const char *make_conicity(struct chart *c, int n, const struct figure_inp
     return tables_conicity(c, in[0].table);
 }
 
+static const char *make_stiffness(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
+{
+    (void)n;
+    (void)o;
+    return tables_stiffness(c, in[0].table);
+}
+
+static const char *make_bowl(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
+{
+    (void)n;
+    (void)o;
+    return tables_bowl(c, in[0].table);
+}
+
 static const char *make_table(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
 {
     (void)n;
@@ -170,6 +184,8 @@ const struct figure figures[] = {
     {"radius", "text", "the same from vxcontact --rolling-radius, with roll", make_rolling_radius, NULL},
     {"yaw", "text ...", "the contact that touches, from vxcontact --sweep, by method", make_yaw, NULL},
     {"conicity", "text", "equivalent conicity over amplitude, from vxcontact --conicity", make_conicity, NULL},
+    {"stiffness", "text", "static stiffness along the track, from vxfreq --stiffness", make_stiffness, NULL},
+    {"bowl", "text", "static deflection under axles, from vxfreq --static --axles", make_bowl, NULL},
     {"table", "text", "columns of numbers over the first, a panel for each unit", make_table, NULL},
     {"vertical", "run ...", "vertical force Q of --wheelset, left and right", NULL, runs_vertical},
     {"lateral", "run ...", "lateral force Y of --wheelset, left and right", NULL, runs_lateral},
