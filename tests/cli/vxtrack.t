@@ -71,8 +71,8 @@ refuses 2 "exclude" "--schema with --master" $bin/vxtrack --schema --master
 refuses 2 "stands alone" "--schema with an input" $bin/vxtrack --schema $track
 refuses 1 "No such file" "an input that is not there" $bin/vxtrack "$tmp/none.yaml"
 refuses 1 "stifness" "a key that is not there" $bin/vxtrack --set railpad.stifness=1e8 $track
-refuses 1 "consistent" "a mass model that is not built" $bin/vxtrack --set rail.mass_model=consistent $track
-refuses 1 "timoshenko" "a beam that is not built" $bin/vxtrack --set rail.beam=timoshenko $track
+refuses 1 "must be one of lumped, consistent" "a mass model that is not there" $bin/vxtrack --set rail.mass_model=full $track
+refuses 1 "must be one of euler, timoshenko" "a beam that is not there" $bin/vxtrack --set rail.beam=shear $track
 refuses 1 "greater than 0" "no mass" $bin/vxtrack --set rail.mass=0 $track
 refuses 1 "whole number" "half a bay" $bin/vxtrack --set length=30.3 $track
 refuses 1 "too short" "ballast springs that cross" $bin/vxtrack --set ballast.edge=1.3 $track

@@ -264,7 +264,7 @@ static void moments(double along)
     for (int64_t i = 1; i + 1 < t.nodes; i++) {
         int64_t k = r.sleeper_node[i];
         k -= along > 0 && i == at.node + 1; /* the element behind or ahead that carries no load at its end */
-        double L = r.x[k + 1] - r.x[k], EI = r.bending[k];
+        double L = r.x[k + 1] - r.x[k], EI = r.bending[0];
         const double *a = u + r.node_dof[k], *b = u + r.node_dof[k + 1];
         double near_end = -6 * EI / (L * L) * (a[0] - b[0]) + EI / L * (4 * a[1] + 2 * b[1]);
         double far_end = -6 * EI / (L * L) * (a[0] - b[0]) + EI / L * (2 * a[1] + 4 * b[1]);

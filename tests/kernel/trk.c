@@ -103,7 +103,7 @@ static void refusals(struct trk *t)
     none.rail_spacing = 0;
     refused(&none, "rail.spacing", "rails upon each other");
     TAMPER(x, n, 7, t->x[6], "array x", "a station twice");
-    TAMPER(bending, 2 * (n - 1), 60, 0, "bending", "a rail that does not resist bending");
+    TAMPER(bending, 2 * t->knots, 1, 0, "bending", "a rail that does not resist bending");
     TAMPER(rail_mass, 2 * n, 3, -1, "rail.mass", "a negative mass");
     TAMPER(sleeper_mass, s, 3, 0, "sleeper.mass", "a sleeper without mass");
     TAMPER(pad_k, 2 * s, 99, -1, "pad.k", "a negative stiffness");

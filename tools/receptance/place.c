@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "tools/track/rails.h"
+
 const char *const place_on[] = {"left", "right", "both", "sleeper", NULL}, *const place_at[] = {"sleeper", "midspan", "station", NULL};
 
 static void add(struct place *p, int64_t dof, double share)
@@ -38,16 +40,8 @@ void place_find(struct place *p, const struct trk *t, int on, int at, double x)
         int64_t dof[4];
         point_dofs(&p->point, t, rail, dof);
         for (int k = 0; k < 4 && point_loads(on, rail); k++)
-            add(p, dof[k], p->point.shape[k]);
+            add(p, dof[k], p->point.shape[rail][k]);
     }
-}
-
-/* A beam with held ends: w(x) = b^2 x^2 (3 a L - 3 a x - b x) / (6 EI L^3) under a unit force at a, b = L - a, at x <= a. */
-static double between(double EI, double L, double x, double a)
-{
-    const double b = L - a;
-
-    return b * b * x * x * (3 * a * L - 3 * a * x - b * x) / (6 * EI * L * L * L);
 }
 
 double place_held(const struct place *force, const struct place *seen, const struct trk *t)
@@ -59,6 +53,6 @@ double place_held(const struct place *force, const struct place *seen, const str
     const int rail = point_rail(seen->on);
     if (force->x == seen->x)
         return seen->point.compliance[rail];
-    const double L = t->x[node + 1] - t->x[node], a = force->x - t->x[node], b = seen->x - t->x[node];
-    return between(t->bending[rail * (t->nodes - 1) + node], L, fmin(a, b), fmax(a, b));
+    const struct beam b = rails_beam(t, rail, node);
+    return beam_between(&b, fmin(force->x, seen->x) - t->x[node], fmax(force->x, seen->x) - t->x[node]);
 }
