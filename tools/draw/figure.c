@@ -102,16 +102,38 @@ static const char *make_path(struct chart *c, int n, const struct figure_input *
     return why ? why : path_chart(c, &t, &o->at, o->from, o->to);
 }
 
-static const char *make_modes(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
+static const char *add_modes(struct chart *c, const struct vxf *file, const struct trk *t, int most)
 {
     struct mod m;
+    const char *why = mod_read(&m, file);
+
+    return why ? why : modes_add(c, &m, t, most);
+}
+
+static const char *make_modes(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
+{
     struct trk t;
-    const char *why = mod_read(&m, in[0].file);
+    const char *why = trk_read(&t, in[1].file);
 
     (void)n;
     (void)o;
-    why = why ? why : trk_read(&t, in[1].file);
-    return why ? why : modes_chart(c, &m, &t);
+    if (why)
+        return why;
+    modes_begin(c, &t);
+    return add_modes(c, in[0].file, &t, 4);
+}
+
+static const char *make_chosen_modes(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
+{
+    struct trk t;
+    const char *why = trk_read(&t, in[0].file);
+
+    (void)o;
+    if (!why)
+        modes_begin(c, &t);
+    for (int k = 1; k < n && !why; k++)
+        why = add_modes(c, in[k].file, &t, 1);
+    return why;
 }
 
 static const char *make_rolling_radius(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
@@ -175,6 +197,7 @@ static const char *make_runs(runs_add *add, struct chart *c, int n, const struct
 const struct figure figures[] = {
     {"receptance", "frf ...", "magnitude with peaks, and phase", make_receptance, NULL},
     {"modes", "mod trk", "natural modes of a track, the first four of the file", make_modes, NULL},
+    {"modes", "trk mod ...", "the first mode of each file", make_chosen_modes, NULL},
     {"sections", "prof", "cross-sections along the track", make_sections, NULL},
     {"contact", "prof prof ctab", "wheel on rail and its contact points, at --station --yaw --u", make_contact, NULL},
     {"pairs", "prof prof ctab", "points of wheel and rail that touch, over all displacements", make_pairs, NULL},
