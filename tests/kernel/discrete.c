@@ -133,31 +133,6 @@ static void pinned_pinned(void)
     near(pinned("rail.beam=timoshenko", 8), 1056, 1.5, "with eight elements too");
 }
 
-/* Timoshenko's receptance over a sleeper and halfway, n elements a bay. */
-static double complex timoshenko(int n, int at, double frequency)
-{
-    char number[32];
-    const char *set[] = {LONG, "rail.beam=timoshenko", number};
-    struct trk t;
-    double complex H = NAN;
-
-    snprintf(number, sizeof number, "rail.elements_per_bay=%d", n);
-    if (table1(&t, set, 5) == NULL)
-        H = value(&t, at, frequency);
-    trk_free(&t);
-    return H;
-}
-
-static void shear_converges(void)
-{
-    for (int at = AT_SLEEPER; at <= AT_MIDSPAN; at++) {
-        const double complex many = timoshenko(20, at, 1000);
-        const double four = cabs(timoshenko(4, at, 1000) / many - 1), eight = cabs(timoshenko(8, at, 1000) / many - 1);
-        printf("# Timoshenko at 1000 Hz %s: 4 and 8 elements a bay %.2e and %.2e from 20\n", at ? "halfway" : "over a sleeper", four, eight);
-        ok(eight < 0.007 && four > 3.5 * eight, "Timoshenko at 1000 Hz, eight elements a bay: %.1e from twenty", eight);
-    }
-}
-
 /* Largest |K u| over the largest entry of K; u and f [dofs]. */
 static double force(const struct trk *t, const double *u, double *f)
 {
@@ -274,7 +249,6 @@ int main(void)
     infinite_beam();
     winkler();
     pinned_pinned();
-    shear_converges();
     rigid_motion();
     varying();
     cost();
