@@ -5,7 +5,6 @@
 #include "tools/cli/cli.h"
 #include "tools/cli/table.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -13,6 +12,7 @@
 #include "formats/mod.h"
 #include "formats/trk.h"
 #include "formats/veh.h"
+#include "tools/receptance/damped.h"
 #include "tools/receptance/dense.h"
 #include "tools/receptance/modes.h"
 #include "tools/receptance/peaks.h"
@@ -25,7 +25,7 @@ static const char usage[] =
     "vxfreq --receptance [--excite left|right|both|sleeper] [--at sleeper|midspan|M] [--x M] [--motion left|right|sleeper] "
     "[--motion-at sleeper|midspan|M] [--quantity receptance|mobility|accelerance] [--from HZ] [--to HZ] [--step HZ] "
     "[--peaks [--hermite]] [-o FILE] TRACK\n"
-    "vxfreq --modes N [--near HZ] [--text] [-o FILE] TRACK|VEHICLE\n"
+    "vxfreq --modes N [--near HZ] [--damped] [--text] [-o FILE] TRACK|VEHICLE\n"
     "vxfreq --static --load N [--excite left|right|both] [--at sleeper|midspan|M] [--x M] [-o FILE] TRACK\n"
     "vxfreq --static --load N --axles M,... [--excite left|right|both] [--every M] TRACK\n"
     "vxfreq --stiffness [--every M] TRACK";
@@ -34,7 +34,7 @@ static const double NOWHERE = -1e9;
 enum { AXLES_MOST = 64 };
 
 static struct {
-    int receptance, statics, stiffness, peaks, hermite, text;
+    int receptance, statics, stiffness, peaks, hermite, damped, text;
     int excite, motion, quantity;
     const char *at, *motion_at;      /* NULL: where the force is */
     int64_t modes;
@@ -67,6 +67,7 @@ static const struct cli_option options[] = {
     {.name = "peaks", .type = CLI_FLAG, .value = &opt.peaks},
     {.name = "hermite", .type = CLI_FLAG, .value = &opt.hermite},
     {.name = "near", .type = CLI_NUM, .value = &opt.near, .lo = 0, .hi = 1e6},
+    {.name = "damped", .type = CLI_FLAG, .value = &opt.damped},
     {.name = "text", .type = CLI_FLAG, .value = &opt.text},
     {.name = "load", .type = CLI_NUM, .value = &opt.load, .lo = 1e-6, .hi = 1e9},
     {.name = "axles", .type = CLI_TEXT, .value = &opt.axles},
@@ -97,8 +98,8 @@ static const char *parse(int argc, char **argv)
         cli_misuse("--static needs --load, the force in N on each rail that --excite names");
     if (opt.sweep.to < opt.sweep.from)
         cli_misuse("--to %g Hz lies below --from %g Hz", opt.sweep.to, opt.sweep.from);
-    if ((opt.peaks && !opt.receptance) || (opt.text && !opt.modes))
-        cli_misuse("--peaks goes with --receptance, --text with --modes");
+    if ((opt.peaks && !opt.receptance) || ((opt.text || opt.damped) && !opt.modes))
+        cli_misuse("--peaks goes with --receptance, --damped and --text with --modes");
     if (opt.hermite && !(opt.peaks && strcmp(opt.at, "sleeper")))
         cli_misuse("--hermite goes with --peaks, and --at midspan or a station");
     if (!opt.receptance && (opt.motion >= 0 || opt.motion_at || opt.quantity))
@@ -190,19 +191,6 @@ static void run_static(const struct vxf *f, const char *name)
     trk_free(&t);
 }
 
-/* Stations of a table along the track, every opt.every from its beginning; freed by the caller. */
-static double *list_stations(const struct trk *t, int64_t *n)
-{
-    *n = (int64_t)floor((t->x[t->nodes - 1] - t->x[0]) / opt.every + 1e-9) + 1;
-    double *x = calloc((size_t)*n, sizeof *x);
-
-    if (!x)
-        cli_die(REASON_MEMORY);
-    for (int64_t i = 0; i < *n; i++)
-        x[i] = t->x[0] + (double)i * opt.every;
-    return x;
-}
-
 /* A table of n rows: stations and values [n][columns - 1]. */
 static void print_table(const struct column *c, int columns, int64_t n, const double *x, const double *value)
 {
@@ -222,11 +210,13 @@ static void run_along(const struct vxf *f, const char *name)
                                               {"right", "N/m", 6}};
     static const struct column bowl[] = {{"station", "m", 6}, {"left", "m", 6}, {"right", "m", 6}};
     double axle[AXLES_MOST];
+    double *x;
     struct trk t;
     int64_t n;
 
     cli_check(name, trk_read(&t, f));
-    double *x = list_stations(&t, &n), *value = calloc((size_t)n, STIFFNESS_N * sizeof *value);
+    cli_check(name, stiffness_stations(&t, opt.every, &n, &x));
+    double *value = calloc((size_t)n, STIFFNESS_N * sizeof *value);
     if (!value)
         cli_die(REASON_MEMORY);
     if (opt.stiffness)
@@ -259,11 +249,13 @@ static void run_modes(const struct vxf *f, const char *name)
     struct mod m;
 
     if (vxf_is(f, "veh") == NULL) {
+        if (opt.damped)
+            cli_die("%s: --damped modes are of a track", name);
         cli_check(name, veh_read(&v, f));
         cli_check(name, dense_vehicle(&m, &v, opt.modes, opt.near));
     } else {
         cli_check(name, trk_read(&t, f));
-        cli_check(name, modes_track(&m, &t, opt.modes, opt.near));
+        cli_check(name, (opt.damped ? damped_track : modes_track)(&m, &t, opt.modes, opt.near));
     }
     if (opt.text)
         print_modes(&m);

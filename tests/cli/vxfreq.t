@@ -96,6 +96,11 @@ $bin/vxfreq --modes 8 --near 826 --text "$tmp/t.trk" | awk '/in phase/ && $2 > 8
 ok $? "an in-phase mode at 826 Hz"
 $bin/vxfreq --modes 8 "$tmp/t.trk" >"$tmp/a.mod" && $bin/vxfreq --modes 8 -o "$tmp/b.mod" "$tmp/t.trk" && cmp -s "$tmp/a.mod" "$tmp/b.mod"
 ok $? "modes twice are the same bytes"
+$bin/vxfreq --modes 20 --near 505 --damped --text "$tmp/t.trk" >"$tmp/damped"
+awk '$3 < 0.1 || $3 > 0.4 || $2 < before { bad++ } { before = $2 } END { exit !(NR == 20 && !bad) }' "$tmp/damped"
+ok $? "twenty damped modes of the rails on their pads"
+$bin/vxfreq --modes 6 --damped "$tmp/t.trk" >"$tmp/a.mod" && $bin/vxinfo "$tmp/a.mod" | grep -q 'imaginary  *f64  *6 x 300'
+ok $? "with complex shapes"
 $bin/vxvehicle data/vehicles/manchester-passenger.yaml | $bin/vxfreq --modes 18 --text - >"$tmp/modes"
 [ "$(wc -l <"$tmp/modes")" -eq 18 ] && grep -q 'carbody bounce' "$tmp/modes" && grep -q 'bogie pitch' "$tmp/modes"
 ok $? "a coach has eighteen modes with its wheelsets held, among them carbody bounce"
@@ -115,6 +120,7 @@ refuses 2 "standard output" "a table into a file" $bin/vxfreq --stiffness -o "$t
 refuses 2 "loads rails" "a static load on a sleeper" $bin/vxfreq --static --load 1 --excite sleeper "$tmp/t.trk"
 refuses 2 "must be -14.7" "a station beyond the track" $bin/vxfreq --receptance --at 15.1 "$tmp/t.trk"
 refuses 2 "NUMBER" "a place that is none" $bin/vxfreq --receptance --at bridge "$tmp/t.trk"
+refuses 1 "of a track" "damped modes of a vehicle" sh -c "$bin/vxvehicle data/vehicles/wheelset.yaml | $bin/vxfreq --modes 1 --damped -"
 refuses 2 "goes with" "--text without --modes" $bin/vxfreq --receptance --text "$tmp/t.trk"
 refuses 2 "input is missing" "no input" $bin/vxfreq --receptance
 refuses 1 "where a .trk file is wanted" "a receptance where a track is wanted" $bin/vxfreq --receptance "$tmp/x.frf"

@@ -66,6 +66,9 @@ static void modes(void)
        "unchanged");
     mod_free(&back);
     vxf_close(&file);
+    m.imaginaries = 1;
+    ok(mod_put(&m, &o) != NULL, "one complex shape of two modes is refused");
+    m.imaginaries = 0;
     m.frequency = falling;
     ok(mod_put(&m, &o) != NULL, "falling frequencies are refused");
     m.frequency = f;

@@ -1,12 +1,22 @@
 /* K u = f by CHOLMOD, K factored once; between the nodes by Hermite's polynomials and the element with held ends. */
 #include "tools/receptance/stiffness.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "formats/reason.h"
 #include "tools/receptance/place.h"
 #include "tools/track/cholesky.h"
+
+const char *stiffness_stations(const struct trk *t, double every, int64_t *n, double **x)
+{
+    *n = (int64_t)floor((t->x[t->nodes - 1] - t->x[0]) / every + 1e-9) + 1;
+    *x = calloc((size_t)*n, sizeof **x);
+    for (int64_t i = 0; i < *n && *x; i++)
+        (*x)[i] = t->x[0] + (double)i * every;
+    return *x ? NULL : REASON_MEMORY;
+}
 
 static void load_place(const struct place *p, double load, double *f)
 {

@@ -8,6 +8,9 @@
 
 enum { STIFFNESS_LEFT, STIFFNESS_RIGHT, STIFFNESS_LEFT_OF_BOTH, STIFFNESS_RIGHT_OF_BOTH, STIFFNESS_N };
 
+/* *x [*n] stations along the whole track, every so many m from its beginning; the caller frees it. */
+const char *stiffness_stations(const struct trk *t, double every, int64_t *n, double **x);
+
 /* k [n][STIFFNESS_N], N/m, at stations x [n] (m): load over the deflection under it, of each rail loaded alone and of each where both are
  * loaded alike. */
 const char *stiffness_along(const struct trk *t, int64_t n, const double *x, double *k);
