@@ -36,6 +36,8 @@ draws "receptances of two files" 1600x900 vxplot sleeper.frf midspan.frf
 draws "static stiffness along the track" 1600x900 sh -c 'vxfreq --stiffness track.trk | vxplot --figure stiffness -'
 draws "the bowl under axles" 1600x900 sh -c 'vxfreq --static --load 9e4 --axles -1,1 track.trk | vxplot --figure bowl -'
 draws "a receptance through a pipe" 800x450 sh -c 'vxplot --size 800x450 - <sleeper.frf'
+vxdump --csv sleeper.frf frequency receptance >measured.csv
+draws "a measurement and receptances" 1600x900 vxplot --figure fit measured.csv sleeper.frf midspan.frf
 draws "modes of the track" 800x450 vxplot --size 800x450 track.mod track.trk
 draws "one mode of each file" 800x450 vxplot --size 800x450 track.trk track.mod track.mod
 draws "sections of a turnout, a window of them" 800x450 vxplot --size 800x450 --from 46 --to 48 turnout.prof

@@ -13,22 +13,40 @@
 #include "tools/draw/tables.h"
 #include "tools/draw/yaw.h"
 
-static const char *make_receptance(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
+/* With the values by Hermite's polynomials where hermite is true; *quantity is that of all. */
+static const char *add_receptances(struct chart *c, int n, const struct figure_input *in, int hermite, int *quantity)
 {
     const char *why = NULL;
-    int quantity = 0;
 
-    (void)o;
     for (int k = 0; k < n && !why; k++) {
         struct frf r;
         if ((why = frf_read(&r, in[k].file)))
             break;
         if (k == 0)
-            receptance_begin(c, quantity = r.quantity);
-        why = r.quantity == quantity ? receptance_add(c, &r, in[k].label) : reason("%s and %s do not share an axis",
-                                                                                   frf_quantity[quantity].name, frf_quantity[r.quantity].name);
+            receptance_begin(c, *quantity = r.quantity);
+        r.hermites = hermite ? r.hermites : 0;
+        why = r.quantity == *quantity ? receptance_add(c, &r, in[k].label) : reason("%s and %s do not share an axis",
+                                                                                    frf_quantity[*quantity].name, frf_quantity[r.quantity].name);
     }
     return why;
+}
+
+static const char *make_receptance(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
+{
+    int quantity;
+
+    (void)o;
+    return add_receptances(c, n, in, 1, &quantity);
+}
+
+/* A measurement, and receptances to hold against it. */
+static const char *make_fit(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
+{
+    int quantity;
+    const char *why = add_receptances(c, n - 1, in + 1, 0, &quantity);
+
+    (void)o;
+    return why ? why : receptance_add_measured(c, in[0].table, quantity);
 }
 
 static const char *make_sections(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
@@ -196,6 +214,7 @@ static const char *make_runs(runs_add *add, struct chart *c, int n, const struct
 
 const struct figure figures[] = {
     {"receptance", "frf ...", "magnitude with peaks, and phase", make_receptance, NULL},
+    {"fit", "text frf ...", "a measured receptance as dots, and receptances", make_fit, NULL},
     {"modes", "mod trk", "natural modes of a track, the first four of the file", make_modes, NULL},
     {"modes", "trk mod ...", "the first mode of each file", make_chosen_modes, NULL},
     {"sections", "prof", "cross-sections along the track", make_sections, NULL},

@@ -41,19 +41,26 @@ void receptance_begin(struct chart *c, int quantity)
     phase->y.step = 90;
 }
 
-/* Magnitude and phase of h [n][2], the phase of a receptance in -3/2 pi .. pi/2, of a mobility a quarter and of an accelerance half a
- * turn above: where that of a passive structure does not jump.  Where another does, the pen is lifted. */
-static void polar(const struct frf *r, const double *h, double *magnitude, double *phase)
+/* Magnitude and phase of h, the phase of a receptance in -3/2 pi .. pi/2, of a mobility a quarter and of an accelerance half a
+ * turn above: where that of a passive structure does not jump. */
+static void polar(int quantity, double re, double im, double *magnitude, double *phase)
 {
-    const double top = M_PI / 2 * (1 + r->quantity);
+    const double top = M_PI / 2 * (1 + quantity), angle = atan2(im, re);
+
+    *magnitude = hypot(re, im);
+    *phase = angle > top ? angle - 2 * M_PI : angle <= top - 2 * M_PI ? angle + 2 * M_PI : angle;
+}
+
+/* The pen is lifted where phase [n] jumps. */
+static void lift(int64_t n, double *phase)
+{
     double before = NAN;
 
-    for (int64_t i = 0; i < r->n; i++) {
-        const double angle = atan2(h[2 * i + 1], h[2 * i]);
-        const double turned = angle > top ? angle - 2 * M_PI : angle <= top - 2 * M_PI ? angle + 2 * M_PI : angle;
-        magnitude[i] = hypot(h[2 * i], h[2 * i + 1]);
-        phase[i] = fabs(turned - before) > M_PI ? NAN : turned;
-        before = turned;
+    for (int64_t i = 0; i < n; i++) {
+        const double here = phase[i];
+        if (fabs(here - before) > M_PI)
+            phase[i] = NAN;
+        before = here;
     }
 }
 
@@ -81,7 +88,9 @@ static const struct chart_series *add_curve(struct chart *c, const struct frf *r
 
     if (!magnitude || !phase)
         return NULL;
-    polar(r, h, magnitude, phase);
+    for (int64_t i = 0; i < r->n; i++)
+        polar(r->quantity, h[2 * i], h[2 * i + 1], &magnitude[i], &phase[i]);
+    lift(r->n, phase);
     struct chart_series *s = chart_add_series(c, &c->panel[0], label, r->n, r->frequency, magnitude);
     struct chart_series *below = chart_add_series(c, &c->panel[1], NULL, r->n, r->frequency, phase);
     if (hermite) {
@@ -105,5 +114,25 @@ const char *receptance_add(struct chart *c, const struct frf *r, const char *lab
     }
     if (r->hermites == r->n && r->n > 0)
         add_curve(c, r, r->hermite, "by Hermite interpolation", 1);
+    return c->why;
+}
+
+const char *receptance_add_measured(struct chart *c, const struct columns *t, int quantity)
+{
+    double *y[2] = {chart_numbers(c, t->rows), chart_numbers(c, t->rows)};
+
+    if (t->n < 3 || columns_find(t, "frequency") != 0)
+        return "not a table of frequency, real and imaginary part";
+    if (!y[0] || !y[1])
+        return c->why;
+    for (int64_t i = 0; i < t->rows; i++)
+        polar(quantity, t->value[1][i], t->value[2][i], &y[0][i], &y[1][i]);
+    for (int k = 0; k < 2; k++) {
+        struct chart_series *s = chart_add_series(c, &c->panel[k], k ? NULL : "measured", t->rows, t->value[0], y[k]);
+        s->colour = CHART_BLACK;
+        s->width = 0;
+        s->mark = CANVAS_DISC;
+        s->size = 2.5;
+    }
     return c->why;
 }
