@@ -129,4 +129,5 @@ help:                       ## this list
 
 include pipelines/demo.mk
 include pipelines/yaw.mk
+include pipelines/track.mk
 include tests/bench/bench.mk

@@ -6,12 +6,35 @@
 
 #include "formats/reason.h"
 
+const struct frf_quantity frf_quantity[] = {{"receptance", "m/N"}, {"mobility", "m/s/N"}, {"accelerance", "m/s2/N"}, {0}};
+
+static int is_one_of(const char *word, const char *const *of)
+{
+    while (*of && strcmp(word, *of))
+        of++;
+    return *of != NULL;
+}
+
+static const char *check_place(const struct frf_place *p, const char *what)
+{
+    static const char *const on[] = {"left", "right", "both", "sleeper", NULL}, *const at[] = {"sleeper", "midspan", "station", NULL};
+
+    if (!is_one_of(p->on, on))
+        return reason("header key %s: \"%s\" is not left, right, both or sleeper", what, p->on);
+    if (!is_one_of(p->at, at))
+        return reason("header key %s_AT: \"%s\" is not sleeper, midspan or station", what, p->at);
+    return NULL;
+}
+
 static const char *check(const struct frf *r)
 {
-    if (strcmp(r->excite, "left") && strcmp(r->excite, "right") && strcmp(r->excite, "both"))
-        return reason("header key EXCITE: \"%s\" is not left, right or both", r->excite);
-    if (strcmp(r->at, "sleeper") && strcmp(r->at, "midspan"))
-        return reason("header key AT: \"%s\" is not sleeper or midspan", r->at);
+    const char *why = check_place(&r->force, "FORCE");
+    if (why || (why = check_place(&r->motion, "MOTION")))
+        return why;
+    if (r->quantity < 0 || r->quantity >= FRF_QUANTITIES)
+        return reason("there is no quantity %d", r->quantity);
+    if (strcmp(r->motion.on, "both") == 0)
+        return reason("header key MOTION: both rails have no one motion");
     if (r->hermites != 0 && r->hermites != r->n)
         return reason("array hermite: %lld rows for %lld frequencies", (long long)r->hermites, (long long)r->n);
     for (int64_t i = 0; i < r->n; i++)
@@ -20,26 +43,42 @@ static const char *check(const struct frf *r)
     return NULL;
 }
 
+static const char *read_keys(struct frf *r, const struct vxf *f)
+{
+    char quantity[16];
+    const char *why = vxf_key(f, "QUANTITY", quantity, sizeof quantity);
+
+    if (why || (why = vxf_key(f, "FORCE", r->force.on, sizeof r->force.on)) ||
+        (why = vxf_key(f, "FORCE_AT", r->force.at, sizeof r->force.at)) ||
+        (why = vxf_key(f, "MOTION", r->motion.on, sizeof r->motion.on)) ||
+        (why = vxf_key(f, "MOTION_AT", r->motion.at, sizeof r->motion.at)))
+        return why;
+    while (r->quantity < FRF_QUANTITIES && strcmp(quantity, frf_quantity[r->quantity].name))
+        r->quantity++;
+    return r->quantity < FRF_QUANTITIES ? NULL : reason("header key QUANTITY: \"%s\" is not receptance, mobility or accelerance", quantity);
+}
+
 const char *frf_read(struct frf *r, const struct vxf *f)
 {
     int64_t n[1] = {-1}, rows[2] = {-1, 2}, more[2] = {-1, 2};
-    const void *x, *frequency, *receptance, *hermite;
+    const void *x[2], *frequency, *H, *hermite;
     const char *why;
 
     memset(r, 0, sizeof *r);
-    if ((why = vxf_is(f, "frf")) || (why = vxf_key(f, "EXCITE", r->excite, sizeof r->excite)) ||
-        (why = vxf_key(f, "AT", r->at, sizeof r->at)) || (why = vxf_get(f, "x", VXF_F64, "m", 0, NULL, &x)) ||
+    if ((why = vxf_is(f, "frf")) || (why = read_keys(r, f)) || (why = vxf_get(f, "force_x", VXF_F64, "m", 0, NULL, &x[0])) ||
+        (why = vxf_get(f, "motion_x", VXF_F64, "m", 0, NULL, &x[1])) ||
         (why = vxf_get(f, "frequency", VXF_F64, "Hz", 1, n, &frequency)))
         return why;
+    const struct frf_quantity *q = &frf_quantity[r->quantity];
     rows[0] = n[0];
-    if ((why = vxf_get(f, "receptance", VXF_F64, "m/N", 2, rows, &receptance)) ||
-        (why = vxf_get(f, "hermite", VXF_F64, "m/N", 2, more, &hermite)))
+    if ((why = vxf_get(f, q->name, VXF_F64, q->unit, 2, rows, &H)) || (why = vxf_get(f, "hermite", VXF_F64, q->unit, 2, more, &hermite)))
         return why;
-    r->x = *(const double *)x;
+    r->force.x = *(const double *)x[0];
+    r->motion.x = *(const double *)x[1];
     r->n = n[0];
     r->hermites = more[0];
     r->frequency = frequency;
-    r->receptance = receptance;
+    r->H = H;
     r->hermite = hermite;
     return check(r);
 }
@@ -49,12 +88,17 @@ const char *frf_put(const struct frf *r, struct vxf_out *o)
     const char *why = check(r);
     if (why)
         return why;
-    vxf_put_key(o, "EXCITE", "%s", r->excite);
-    vxf_put_key(o, "AT", "%s", r->at);
-    vxf_put(o, "x", VXF_F64, "m", 0, NULL, &r->x);
+    const struct frf_quantity *q = &frf_quantity[r->quantity];
+    vxf_put_key(o, "QUANTITY", "%s", q->name);
+    vxf_put_key(o, "FORCE", "%s", r->force.on);
+    vxf_put_key(o, "FORCE_AT", "%s", r->force.at);
+    vxf_put_key(o, "MOTION", "%s", r->motion.on);
+    vxf_put_key(o, "MOTION_AT", "%s", r->motion.at);
+    vxf_put(o, "force_x", VXF_F64, "m", 0, NULL, &r->force.x);
+    vxf_put(o, "motion_x", VXF_F64, "m", 0, NULL, &r->motion.x);
     vxf_put(o, "frequency", VXF_F64, "Hz", 1, &r->n, r->frequency);
-    vxf_put(o, "receptance", VXF_F64, "m/N", 2, (int64_t[]){r->n, 2}, r->receptance);
-    vxf_put(o, "hermite", VXF_F64, "m/N", 2, (int64_t[]){r->hermites, 2}, r->hermite);
+    vxf_put(o, q->name, VXF_F64, q->unit, 2, (int64_t[]){r->n, 2}, r->H);
+    vxf_put(o, "hermite", VXF_F64, q->unit, 2, (int64_t[]){r->hermites, 2}, r->hermite);
     return NULL;
 }
 

@@ -1,17 +1,27 @@
-/* .frf: receptances of a track, H(f) = displacement over force, exp(+i w t): frf(5). */
+/* .frf: receptances, mobilities or accelerances of a track, H(f) = motion over force, exp(+i w t): frf(5). */
 #ifndef VX_FORMATS_FRF_H
 #define VX_FORMATS_FRF_H
 
 #include "formats/vxf.h"
 
+enum { FRF_RECEPTANCE, FRF_MOBILITY, FRF_ACCELERANCE, FRF_QUANTITIES };
+
+/* [FRF_QUANTITIES] what H is: displacement, velocity or acceleration over force, (i w)^n times the receptance. */
+extern const struct frf_quantity { const char *name, *unit; } frf_quantity[];
+
+struct frf_place {
+    char on[8];                   /* left, right, both (rails, each loaded by the same force), or sleeper */
+    char at[12];                  /* sleeper, midspan or station */
+    double x;                     /* m */
+};
+
 struct frf {
-    char excite[8];               /* left, right, both: the rails loaded, each by the same force */
-    char at[12];                  /* sleeper or midspan */
-    double x;                     /* m, station of force and response */
+    int quantity;
+    struct frf_place force, motion;
     int64_t n;
     const double *frequency;      /* Hz [n] increasing */
-    const double *receptance;     /* m/N [n][2] real and imaginary part, of the loaded rail (left where both) */
-    const double *hermite;        /* m/N [n][2] the same by equations 7 to 9 of Lau and Hoff 2018; [0] above a sleeper */
+    const double *H;              /* [n][2] real and imaginary part, in the unit of its quantity */
+    const double *hermite;        /* [n][2] the same by equations 7 to 9 of Lau and Hoff 2018; [0] where nothing differs */
     int64_t hermites;             /* n or 0 */
     void *store;
 };

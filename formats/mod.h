@@ -7,10 +7,12 @@
 struct mod {
     char of[8];                   /* trk or veh */
     int64_t n, dofs;
-    const double *frequency;      /* Hz [n] undamped, increasing */
+    int64_t imaginaries;          /* n where the modes are damped ones, else 0 */
+    const double *frequency;      /* Hz [n] increasing: undamped, or |s|/2pi of damped modes */
     const double *damping;        /* 1 [n] ratio, of the complex eigenvalue */
     const char (*name)[32];       /* [n] bounce, pitch, ..., or empty */
-    const double *shape;          /* [n][dofs] scaled to unit modal mass */
+    const double *shape;          /* [n][dofs] scaled to unit modal mass; of damped modes the real part */
+    const double *imaginary;      /* [imaginaries][dofs] */
     void *store;
 };
 

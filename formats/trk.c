@@ -9,7 +9,7 @@
 #include "formats/vxf_member.h"
 
 /* Sizes an array may have. */
-enum size { ONE, RAILS, BALLAST, NODES, ELEMENTS, SLEEPERS, CHECKS, CURVES, ZONES, LETTERS, COLUMNS, ENTRIES, SIZES };
+enum size { ONE, RAILS, BALLAST, NODES, ELEMENTS, KNOTS, SLEEPERS, CHECKS, CURVES, ZONES, LETTERS, COLUMNS, ENTRIES, SIZES };
 
 enum {
     DOFS_NODE = 4,               /* wl tl wr tr */
@@ -20,9 +20,13 @@ enum {
 
 static const struct vxf_member TABLE[] = {
     {"x",              "m",     VXF_F64, 1, {NODES, ONE},        AT(x)},
-    {"bending",        "N.m2",  VXF_F64, 2, {RAILS, ELEMENTS},   AT(bending)},
+    {"bending.x",      "m",     VXF_F64, 1, {KNOTS, ONE},        AT(bending_x)},
+    {"bending",        "N.m2",  VXF_F64, 2, {RAILS, KNOTS},      AT(bending)},
+    {"rail.shear",     "1/N",   VXF_F64, 2, {RAILS, ELEMENTS},   AT(rail_shear)},
     {"rail.mass",      "kg",    VXF_F64, 2, {RAILS, NODES},      AT(rail_mass)},
     {"rail.inertia",   "kg.m2", VXF_F64, 2, {RAILS, NODES},      AT(rail_inertia)},
+    {"rail.density",   "kg/m",  VXF_F64, 2, {RAILS, ELEMENTS},   AT(rail_density)},
+    {"rail.rotary",    "kg.m",  VXF_F64, 2, {RAILS, ELEMENTS},   AT(rail_rotary)},
     {"sleeper.x",      "m",     VXF_F64, 1, {SLEEPERS, ONE},     AT(sleeper_x)},
     {"sleeper.node",   "1",     VXF_I64, 1, {SLEEPERS, ONE},     AT(sleeper_node)},
     {"sleeper.number", "1",     VXF_I64, 1, {SLEEPERS, ONE},     AT(sleeper_number)},
@@ -91,6 +95,7 @@ const char *trk_read(struct trk *t, const struct vxf *f)
     t->nodes = size[NODES];
     t->sleepers = size[SLEEPERS];
     t->dofs = size[COLUMNS] - 1;
+    t->knots = size[KNOTS];
     t->checks = size[CHECKS];
     t->curves = size[CURVES];
     t->zones = size[ZONES];
@@ -104,8 +109,8 @@ const char *trk_put(const struct trk *t, struct vxf_out *o)
         return why;
     const int64_t size[SIZES] = {
         [ONE] = 1, [RAILS] = TRK_RAILS, [BALLAST] = TRK_BALLAST, [NODES] = t->nodes, [ELEMENTS] = t->nodes - 1,
-        [SLEEPERS] = t->sleepers, [CHECKS] = t->checks, [CURVES] = t->curves, [ZONES] = t->zones, [LETTERS] = sizeof t->zone_name[0], [COLUMNS] = t->dofs + 1,
-        [ENTRIES] = t->Ap[t->dofs]};
+        [KNOTS] = t->knots, [SLEEPERS] = t->sleepers, [CHECKS] = t->checks, [CURVES] = t->curves, [ZONES] = t->zones,
+        [LETTERS] = sizeof t->zone_name[0], [COLUMNS] = t->dofs + 1, [ENTRIES] = t->Ap[t->dofs]};
     vxf_put_key(o, "NAME", "%s", t->name);
     vxf_put(o, "rail.spacing", VXF_F64, "m", 0, NULL, &t->rail_spacing);
     vxf_put_members(o, TABLE, ENTRIES_OF_TABLE, size, t);

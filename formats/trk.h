@@ -18,13 +18,18 @@ struct trk {
     int64_t nodes;                     /* along each rail */
     int64_t sleepers;
     int64_t dofs;                      /* 4 nodes + 2 sleepers */
+    int64_t knots;                     /* of the bending stiffness */
     int64_t curves;
     int64_t zones;
     int64_t checks;                    /* knots of the check rail's play; 0: no check rail */
     const double *x;                   /* m [nodes] station, increasing */
-    const double *bending;             /* N m2 [2][nodes - 1] of the element behind each node */
+    const double *bending_x;           /* m [knots] stations, increasing */
+    const double *bending;             /* N m2 [2][knots] of each rail; straight between the knots, constant beyond */
+    const double *rail_shear;          /* 1/N [2][nodes - 1] 1/(kappa G A) of the element behind each node; 0: Euler-Bernoulli */
     const double *rail_mass;           /* kg [2][nodes] lumped at the node */
-    const double *rail_inertia;        /* kg m2 [2][nodes] in pitch */
+    const double *rail_inertia;        /* kg m2 [2][nodes] in pitch, likewise */
+    const double *rail_density;        /* kg/m [2][nodes - 1] along the element, beside the lumped mass */
+    const double *rail_rotary;         /* kg m [2][nodes - 1] pitch inertia of a metre, likewise */
     const double *sleeper_x;           /* m [sleepers] */
     const int64_t *sleeper_node;       /* [sleepers] the rail node above it */
     const int64_t *sleeper_number;     /* [sleepers] 1 is the first of the turnout; run-in counts down from 0 */

@@ -40,9 +40,13 @@ static const char *check_numbers(const struct trk *t)
            (why = at_least("lateral.c", t->lateral_c, 1, 0, 1)) ||
            (why = at_least("check.k", t->check_k, 1, 0, 1)) ||
            (why = at_least("check.c", t->check_c, 1, 0, 1)) ||
-           (why = at_least("bending", t->bending, TRK_RAILS * (n - 1), 0, 0)) ||
-           (why = at_least("rail.mass", t->rail_mass, TRK_RAILS * n, 0, 0)) ||
-           (why = at_least("rail.inertia", t->rail_inertia, TRK_RAILS * n, 0, 0)) ||
+           (why = increasing("bending.x", t->bending_x, t->knots)) ||
+           (why = at_least("bending", t->bending, TRK_RAILS * t->knots, 0, 0)) ||
+           (why = at_least("rail.shear", t->rail_shear, TRK_RAILS * (n - 1), 0, 1)) ||
+           (why = at_least("rail.mass", t->rail_mass, TRK_RAILS * n, 0, 1)) ||
+           (why = at_least("rail.inertia", t->rail_inertia, TRK_RAILS * n, 0, 1)) ||
+           (why = at_least("rail.density", t->rail_density, TRK_RAILS * (n - 1), 0, 1)) ||
+           (why = at_least("rail.rotary", t->rail_rotary, TRK_RAILS * (n - 1), 0, 1)) ||
            (why = at_least("sleeper.mass", t->sleeper_mass, s, 0, 0)) ||
            (why = at_least("sleeper.inertia", t->sleeper_inertia, s, 0, 0)) ||
            (why = at_least("pad.k", t->pad_k, TRK_RAILS * s, 0, 1)) ||
@@ -150,6 +154,8 @@ const char *trk_check(const struct trk *t, int64_t entries)
     if (t->nodes < 2 || t->sleepers < 1)
         return reason("a track needs two rail nodes and a sleeper; here are %lld and %lld", (long long)t->nodes,
                       (long long)t->sleepers);
+    if (t->knots < 1)
+        return "array bending.x: no knot, one at least is wanted";
     if (!(t->rail_spacing > 0))
         return reason("rail.spacing: %g must be positive", t->rail_spacing);
     if (*t->check_rail != TRK_LEFT && *t->check_rail != TRK_RIGHT)

@@ -9,8 +9,8 @@
 
 #define AT(type, member) offsetof(struct type, member)
 
-static const char *const MASS_MODELS[] = {"lumped", NULL};
-static const char *const BEAMS[] = {"euler", NULL};
+static const char *const MASS_MODELS[] = {"lumped", "consistent", NULL};
+static const char *const BEAMS[] = {"euler", "timoshenko", NULL};
 static const char *const SIDES[] = {"left", "right", NULL};
 static const char *const RAILS[] = {"left", "right", "both", NULL};
 
@@ -22,16 +22,29 @@ static const struct yaml_field LATERAL_FIELDS[] = {
 
 static const struct yaml_schema LATERAL = {"lateral", sizeof(struct trk_text_lateral), LATERAL_FIELDS};
 
+static const struct yaml_field OWN_FIELDS[] = {
+    {"bending_stiffness", YAML_TABLE, AT(trk_text_own, bending_stiffness), YAML_POSITIVE, 1e12, "N m2", YAML_ABSENT,
+     "of this rail, instead of that of both", NULL, NULL},
+    {0}};
+
+static const struct yaml_schema OWN = {"rail", sizeof(struct trk_text_own), OWN_FIELDS};
+
 static const struct yaml_field RAIL_FIELDS[] = {
     {"bending_stiffness", YAML_TABLE, AT(trk_text_rail, bending_stiffness), YAML_POSITIVE, 1e12, "N m2", NULL,
-     "vertical bending stiffness EI of each rail; within an element the mean flexibility counts", NULL, NULL},
+     "vertical bending stiffness EI of each rail; it may vary within a bay", NULL, NULL},
     {"mass", YAML_NUM, AT(trk_text_rail, mass), YAML_POSITIVE, 1e5, "kg/m", NULL, "of each rail", NULL, NULL},
-    {"pitch_inertia", YAML_NUM, AT(trk_text_rail, pitch_inertia), YAML_POSITIVE, 1e5, "kg m2", NULL,
-     "of each rail node; it sets the pinned-pinned frequency", NULL, NULL},
-    {"mass_model", YAML_CHOICE, AT(trk_text_rail, mass_model), 0, 0, "", "lumped", "mass at the nodes", NULL, MASS_MODELS},
+    {"pitch_inertia", YAML_NUM, AT(trk_text_rail, pitch_inertia), YAML_POSITIVE, 1e5, "kg m2", YAML_ABSENT,
+     "of each rail node, lumped only, where it must be given: it sets the pinned-pinned frequency", NULL, NULL},
+    {"shear_stiffness", YAML_NUM, AT(trk_text_rail, shear_stiffness), YAML_POSITIVE, 1e15, "N", YAML_ABSENT,
+     "kappa G A of each rail, timoshenko only, where it must be given", NULL, NULL},
+    {"rotary_inertia", YAML_NUM, AT(trk_text_rail, rotary_inertia), YAML_POSITIVE, 1e5, "kg m", YAML_ABSENT,
+     "rho I of each rail, pitch inertia of a metre of it, timoshenko with consistent mass only, where it must be given", NULL, NULL},
+    {"mass_model", YAML_CHOICE, AT(trk_text_rail, mass_model), 0, 0, "", "lumped", "mass at the nodes, or along the elements", NULL, MASS_MODELS},
     {"beam", YAML_CHOICE, AT(trk_text_rail, beam), 0, 0, "", "euler", "beam theory", NULL, BEAMS},
     {"elements_per_bay", YAML_INT, AT(trk_text_rail, elements_per_bay), 1, 20, "", "1", "beam elements between sleepers", NULL,
      NULL},
+    {"left", YAML_MAP, AT(trk_text_rail, left), 0, 0, "", YAML_ABSENT, "what is different in the left rail", &OWN, NULL},
+    {"right", YAML_MAP, AT(trk_text_rail, right), 0, 0, "", YAML_ABSENT, "what is different in the right rail", &OWN, NULL},
     {"lateral", YAML_MAP, AT(trk_text_rail, lateral), 0, 0, "", YAML_ABSENT,
      "each rail yields sideways under each wheel by itself; absent: not at all", &LATERAL, NULL},
     {0}};
@@ -152,6 +165,17 @@ static const char *check_zone(const struct trk_text_zone *z, int64_t number)
     return NULL;
 }
 
+static const char *check_rail(const struct trk_text_rail *r)
+{
+    if (r->mass_model == TRK_TEXT_LUMPED && !(r->pitch_inertia > 0))
+        return "rail.pitch_inertia: a lumped rail needs it, the pitch inertia of a node in kg m2";
+    if (r->beam == TRK_TEXT_TIMOSHENKO && !(r->shear_stiffness > 0))
+        return "rail.shear_stiffness: a timoshenko rail needs it, kappa G A in N";
+    if (r->beam == TRK_TEXT_TIMOSHENKO && r->mass_model == TRK_TEXT_CONSISTENT && !(r->rotary_inertia > 0))
+        return "rail.rotary_inertia: a timoshenko rail with consistent mass needs it, rho I in kg m";
+    return NULL;
+}
+
 static const char *check(const struct trk_text *in)
 {
     const struct trk_text_zone *z = in->zone.item;
@@ -159,7 +183,7 @@ static const char *check(const struct trk_text *in)
 
     if (strlen(in->name) >= sizeof ((struct trk *)NULL)->name)
         return reason("name: \"%s\" is longer than 63 letters", in->name);
-    if ((why = check_curve(&in->curve)) || (why = check_check_rail(&in->check_rail)))
+    if ((why = check_rail(&in->rail)) || (why = check_curve(&in->curve)) || (why = check_check_rail(&in->check_rail)))
         return why;
     for (int64_t k = 0; k < in->zone.n; k++)
         if ((why = check_zone(&z[k], k + 1)))

@@ -6,16 +6,24 @@
 
 #include "formats/yaml.h"
 
+enum { TRK_TEXT_LUMPED, TRK_TEXT_CONSISTENT };           /* rail.mass_model */
+enum { TRK_TEXT_EULER, TRK_TEXT_TIMOSHENKO };            /* rail.beam */
 enum { TRK_TEXT_LEFT, TRK_TEXT_RIGHT, TRK_TEXT_BOTH };   /* zone.rail */
 
 struct trk_text_lateral { double mass, stiffness, damping; };   /* kg, N/m, N s/m; all 0 where not given */
 
+struct trk_text_own { struct yaml_table bending_stiffness; };   /* N m2; no knots where not given */
+
 struct trk_text_rail {
     struct yaml_table bending_stiffness;  /* N m2 */
     double mass;                          /* kg/m */
-    double pitch_inertia;                 /* kg m2 per node */
-    int mass_model, beam;                 /* one of each so far: lumped, euler */
+    double pitch_inertia;                 /* kg m2 per lumped node; 0 where not given */
+    double shear_stiffness;               /* N, kappa G A; 0 where not given */
+    double rotary_inertia;                /* kg m, rho I; 0 where not given */
+    int mass_model;                       /* TRK_TEXT_LUMPED, ... */
+    int beam;                             /* TRK_TEXT_EULER, ... */
     int64_t elements_per_bay;
+    struct trk_text_own left, right;
     struct trk_text_lateral lateral;
 };
 

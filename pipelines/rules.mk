@@ -29,6 +29,9 @@ out/%.veh: $(BIN)/vxvehicle
 out/%.frf: $(BIN)/vxfreq
 	$(BIN)/vxfreq --receptance $(RECEPTANCE) -o $@ $(call of,.trk)
 
+out/%.mod: $(BIN)/vxfreq
+	$(BIN)/vxfreq --modes $(MODES) -o $@ $(call of,.trk)
+
 out/%.run: $(BIN)/vxrun
 	$(BIN)/vxrun $(SET) --track $(call of,.trk) --vehicle $(call of,.veh) --contact-left $(call of,-l.ctab) \
 	    --contact-right $(call of,-r.ctab) -o $@ $(call of,.yaml)

@@ -1,8 +1,9 @@
 /* vxfreq: a track or a vehicle in the frequency domain.
  *
  * In: .trk, or .veh for modes.  Out: .frf, receptance by direct solution at each frequency; .mod, natural modes, undamped and with the
- * damping of the complex eigenvalue; or text.  z down, H = displacement over force for exp(+i omega t), SI units. */
+ * damping of the complex eigenvalue; or text.  z down, H = motion over force for exp(+i omega t), SI units. */
 #include "tools/cli/cli.h"
+#include "tools/cli/table.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -11,41 +12,54 @@
 #include "formats/mod.h"
 #include "formats/trk.h"
 #include "formats/veh.h"
+#include "tools/receptance/damped.h"
 #include "tools/receptance/dense.h"
 #include "tools/receptance/modes.h"
 #include "tools/receptance/peaks.h"
+#include "tools/receptance/place.h"
+#include "tools/receptance/stiffness.h"
 #include "tools/receptance/sweep.h"
-#include "tools/track/point.h"
 #include "tools/track/seat.h"
 
 static const char usage[] =
-    "vxfreq --receptance [--excite left|right|both] [--at sleeper|midspan] [--x M] [--from HZ] [--to HZ] [--step HZ] "
+    "vxfreq --receptance [--excite left|right|both|sleeper] [--at sleeper|midspan|M] [--x M] [--motion left|right|sleeper] "
+    "[--motion-at sleeper|midspan|M] [--quantity receptance|mobility|accelerance] [--from HZ] [--to HZ] [--step HZ] "
     "[--peaks [--hermite]] [-o FILE] TRACK\n"
-    "vxfreq --modes N [--near HZ] [--text] [-o FILE] TRACK|VEHICLE\n"
-    "vxfreq --static --load N [--excite left|right|both] [--at sleeper|midspan] [--x M] [-o FILE] TRACK";
+    "vxfreq --modes N [--near HZ] [--damped] [--text] [-o FILE] TRACK|VEHICLE\n"
+    "vxfreq --static --load N [--excite left|right|both] [--at sleeper|midspan|M] [--x M] [-o FILE] TRACK\n"
+    "vxfreq --static --load N --axles M,... [--excite left|right|both] [--every M] TRACK\n"
+    "vxfreq --stiffness [--every M] TRACK";
 
 static const double NOWHERE = -1e9;
+enum { AXLES_MOST = 64 };
 
 static struct {
-    int receptance, statics, peaks, hermite, text;
-    int excite, at;
+    int receptance, statics, stiffness, peaks, hermite, damped, text;
+    int excite, motion, quantity;
+    const char *at, *motion_at;      /* NULL: where the force is */
     int64_t modes;
     double x;                        /* m; NOWHERE is the middle of the track */
     double load;                     /* N on each loaded rail */
+    const char *axles;               /* m, stations */
+    double every;                    /* m, of a table along the track */
     double near;                     /* Hz */
     struct sweep sweep;              /* Hz */
     const char *out;
-} opt = {.excite = EXCITE_BOTH, .at = AT_SLEEPER, .x = -1e9, .sweep = {10, 1500, 1}};
+} opt = {.excite = PLACE_BOTH, .motion = -1, .at = "sleeper", .x = -1e9, .every = 0.1, .sweep = {10, 1500, 1}};
 
-static const char *const excites[] = {"left", "right", "both", NULL};
-static const char *const places[] = {"sleeper", "midspan", NULL};
+static const char *const motions[] = {"left", "right", "sleeper", NULL};
+static const char *const quantities[] = {"receptance", "mobility", "accelerance", NULL};
 
 static const struct cli_option options[] = {
     {.name = "receptance", .type = CLI_FLAG, .value = &opt.receptance},
     {.name = "modes", .type = CLI_INT, .value = &opt.modes, .lo = 1, .hi = 1e6},
     {.name = "static", .type = CLI_FLAG, .value = &opt.statics},
-    {.name = "excite", .type = CLI_CHOICE, .value = &opt.excite, .choice = excites},
-    {.name = "at", .type = CLI_CHOICE, .value = &opt.at, .choice = places},
+    {.name = "stiffness", .type = CLI_FLAG, .value = &opt.stiffness},
+    {.name = "excite", .type = CLI_CHOICE, .value = &opt.excite, .choice = place_on},
+    {.name = "at", .type = CLI_TEXT, .value = &opt.at},
+    {.name = "motion", .type = CLI_CHOICE, .value = &opt.motion, .choice = motions},
+    {.name = "motion-at", .type = CLI_TEXT, .value = &opt.motion_at},
+    {.name = "quantity", .type = CLI_CHOICE, .value = &opt.quantity, .choice = quantities},
     {.name = "x", .letter = 1, .type = CLI_NUM, .value = &opt.x, .lo = -1e6, .hi = 1e6},
     {.name = "from", .type = CLI_NUM, .value = &opt.sweep.from, .lo = 0, .hi = 1e6},
     {.name = "to", .type = CLI_NUM, .value = &opt.sweep.to, .lo = 0, .hi = 1e6},
@@ -53,8 +67,11 @@ static const struct cli_option options[] = {
     {.name = "peaks", .type = CLI_FLAG, .value = &opt.peaks},
     {.name = "hermite", .type = CLI_FLAG, .value = &opt.hermite},
     {.name = "near", .type = CLI_NUM, .value = &opt.near, .lo = 0, .hi = 1e6},
+    {.name = "damped", .type = CLI_FLAG, .value = &opt.damped},
     {.name = "text", .type = CLI_FLAG, .value = &opt.text},
     {.name = "load", .type = CLI_NUM, .value = &opt.load, .lo = 1e-6, .hi = 1e9},
+    {.name = "axles", .type = CLI_TEXT, .value = &opt.axles},
+    {.name = "every", .type = CLI_NUM, .value = &opt.every, .lo = 1e-3, .hi = 1e3},
     {.name = "o", .type = CLI_TEXT, .value = &opt.out},
     {0},
 };
@@ -71,27 +88,53 @@ static const char *parse(int argc, char **argv)
     int n;
     char **operand = cli_begin(&program, argc, argv, 1, 1, &n);
 
-    if (opt.receptance + opt.statics + (opt.modes > 0) != 1)
-        cli_misuse("one of --receptance, --modes and --static is wanted");
+    if (opt.receptance + opt.statics + opt.stiffness + (opt.modes > 0) != 1)
+        cli_misuse("one of --receptance, --modes, --static and --stiffness is wanted");
+    if (opt.axles && !opt.statics)
+        cli_misuse("--axles goes with --static");
+    if (opt.out && (opt.stiffness || opt.axles))
+        cli_misuse("a table along the track goes to standard output, not to -o");
     if (opt.statics && !(opt.load > 0))
         cli_misuse("--static needs --load, the force in N on each rail that --excite names");
     if (opt.sweep.to < opt.sweep.from)
         cli_misuse("--to %g Hz lies below --from %g Hz", opt.sweep.to, opt.sweep.from);
-    if ((opt.peaks && !opt.receptance) || (opt.text && !opt.modes))
-        cli_misuse("--peaks goes with --receptance, --text with --modes");
-    if (opt.hermite && !(opt.peaks && opt.at == AT_MIDSPAN))
-        cli_misuse("--hermite goes with --peaks --at midspan");
+    if ((opt.peaks && !opt.receptance) || ((opt.text || opt.damped) && !opt.modes))
+        cli_misuse("--peaks goes with --receptance, --damped and --text with --modes");
+    if (opt.hermite && !(opt.peaks && strcmp(opt.at, "sleeper")))
+        cli_misuse("--hermite goes with --peaks, and --at midspan or a station");
+    if (!opt.receptance && (opt.motion >= 0 || opt.motion_at || opt.quantity))
+        cli_misuse("--motion, --motion-at and --quantity go with --receptance");
+    if (opt.statics && opt.excite == PLACE_SLEEPER)
+        cli_misuse("--static loads rails: --excite left, right or both");
     return operand[0];
 }
 
-/* Where --at and --x point to. */
-static struct point locate(const struct trk *t)
+/* The place that an option names on a rail or a sleeper: a station, or the sleeper or bay nearest to --x. */
+static struct place locate(const struct trk *t, int on, const char *option, const char *text)
 {
-    struct point p;
-    const double middle = 0.5 * (t->x[0] + t->x[t->nodes - 1]);
+    double x = opt.x > NOWHERE ? opt.x : 0.5 * (t->x[0] + t->x[t->nodes - 1]);
+    int at = AT_SLEEPER;
+    struct place p;
 
-    point_at(&p, t, point_station(t, opt.at, opt.x > NOWHERE ? opt.x : middle));
+    while (at < AT_STATION && strcmp(text, place_at[at]) != 0)
+        at++;
+    if (at == AT_STATION)
+        cli_numbers(option, text, t->x[0], t->x[t->nodes - 1], &x, 1);
+    place_find(&p, t, on, at, x);
     return p;
+}
+
+static struct place locate_force(const struct trk *t)
+{
+    return locate(t, opt.excite, "at", opt.at);
+}
+
+/* Where the motion is read: where the force acts, but for what is said otherwise. */
+static struct place locate_motion(const struct trk *t)
+{
+    static const int on[] = {PLACE_LEFT, PLACE_RIGHT, PLACE_SLEEPER};
+
+    return locate(t, opt.motion < 0 ? opt.excite : on[opt.motion], opt.motion_at ? "motion-at" : "at", opt.motion_at ? opt.motion_at : opt.at);
 }
 
 static void print_peaks(const struct frf *r)
@@ -101,7 +144,7 @@ static void print_peaks(const struct frf *r)
 
     if (!p)
         cli_die(REASON_MEMORY);
-    int64_t n = peaks_find(r->n, r->frequency, opt.hermite && r->hermites ? r->hermite : r->receptance, p);
+    int64_t n = peaks_find(r->n, r->frequency, opt.hermite && r->hermites ? r->hermite : r->H, p);
     cli_create(&out, opt.out, 0);
     for (int64_t i = 0; i < n; i++)
         fprintf(out.file, "%s  %.2f  %.4e\n", p[i].is_dip ? "dip" : "peak", p[i].frequency, p[i].amplitude);
@@ -116,8 +159,8 @@ static void run_receptance(const struct vxf *f, const char *name)
     struct frf r;
 
     cli_check(name, trk_read(&t, f));
-    const struct point p = locate(&t);
-    cli_check(name, sweep_point(&r, &t, &p, opt.at, opt.excite, &opt.sweep));
+    const struct place force = locate_force(&t), motion = locate_motion(&t);
+    cli_check(name, sweep_places(&r, &t, &force, &motion, opt.quantity, &opt.sweep));
     if (opt.peaks)
         print_peaks(&r);
     else {
@@ -138,13 +181,53 @@ static void run_static(const struct vxf *f, const char *name)
     struct trk t;
 
     cli_check(name, trk_read(&t, f));
-    const struct point p = locate(&t);
-    cli_check(name, seat_load(&s, &t, &p, opt.excite, opt.load));
+    const struct place p = locate_force(&t);
+    cli_check(name, seat_load(&s, &t, &p.point, opt.excite, opt.load));
     cli_create(&out, opt.out, 0);
     fprintf(out.file, "deflection       %.6g m\n", s.deflection);
     fprintf(out.file, "seat force       %.6g N\n", s.force);
     fprintf(out.file, "pad compression  %.6g m\n", s.compression);
     cli_close(&out);
+    trk_free(&t);
+}
+
+/* A table of n rows: stations and values [n][columns - 1]. */
+static void print_table(const struct column *c, int columns, int64_t n, const double *x, const double *value)
+{
+    double row[8];
+
+    cli_header(c, columns);
+    for (int64_t i = 0; i < n; i++) {
+        row[0] = x[i];
+        memcpy(&row[1], &value[i * (columns - 1)], (size_t)(columns - 1) * sizeof *row);
+        cli_row(c, columns, row);
+    }
+}
+
+static void run_along(const struct vxf *f, const char *name)
+{
+    static const struct column stiffness[] = {{"station", "m", 6}, {"left_alone", "N/m", 6}, {"right_alone", "N/m", 6}, {"left", "N/m", 6},
+                                              {"right", "N/m", 6}};
+    static const struct column bowl[] = {{"station", "m", 6}, {"left", "m", 6}, {"right", "m", 6}};
+    double axle[AXLES_MOST];
+    double *x;
+    struct trk t;
+    int64_t n;
+
+    cli_check(name, trk_read(&t, f));
+    cli_check(name, stiffness_stations(&t, opt.every, &n, &x));
+    double *value = calloc((size_t)n, STIFFNESS_N * sizeof *value);
+    if (!value)
+        cli_die(REASON_MEMORY);
+    if (opt.stiffness)
+        cli_check(name, stiffness_along(&t, n, x, value));
+    else {
+        const int axles = cli_numbers("axles", opt.axles, t.x[0], t.x[t.nodes - 1], axle, AXLES_MOST);
+        cli_check(name, stiffness_bowl(&t, opt.excite, opt.load, axles, axle, n, x, value));
+    }
+    print_table(opt.stiffness ? stiffness : bowl, opt.stiffness ? 5 : 3, n, x, value);
+    free(x);
+    free(value);
     trk_free(&t);
 }
 
@@ -166,11 +249,13 @@ static void run_modes(const struct vxf *f, const char *name)
     struct mod m;
 
     if (vxf_is(f, "veh") == NULL) {
+        if (opt.damped)
+            cli_die("%s: --damped modes are of a track", name);
         cli_check(name, veh_read(&v, f));
         cli_check(name, dense_vehicle(&m, &v, opt.modes, opt.near));
     } else {
         cli_check(name, trk_read(&t, f));
-        cli_check(name, modes_track(&m, &t, opt.modes, opt.near));
+        cli_check(name, (opt.damped ? damped_track : modes_track)(&m, &t, opt.modes, opt.near));
     }
     if (opt.text)
         print_modes(&m);
@@ -194,6 +279,8 @@ int main(int argc, char **argv)
     cli_open(&f, path, NULL);
     if (opt.receptance)
         run_receptance(&f, name);
+    else if (opt.stiffness || opt.axles)
+        run_along(&f, name);
     else if (opt.statics)
         run_static(&f, name);
     else

@@ -96,6 +96,22 @@ row "contact look-up, along a run" "$(awk '$1 == "along" {print $2}' "$dir/looku
 row "contact look-up, at random" "$(awk '$1 == "random" {print $2}' "$dir/lookup")" ns 150 -
 job "receptance, 120 m track, 1451 frequencies" 0.5 0.17 \
     vxfreq --receptance --excite both --at sleeper --from 50 --to 1500 --step 1 "$dir/straight.trk"
+fine="--set rail.mass_model=consistent --set rail.beam=timoshenko --set rail.elements_per_bay=8"
+job "assembly, 120 m, Timoshenko, eight elements a bay" 0.05 - \
+    vxtrack $fine --set from=-60 --set length=120 -o "$dir/fine.trk" data/tracks/thesis-straight.yaml
+job "receptance of it, 1451 frequencies" - - vxfreq --receptance --from 50 --to 1500 -o "$dir/fine.frf" "$dir/fine.trk"
+
+# long METRES: assembly, eleven frequencies, one static solution.
+long()
+{
+    vxtrack $fine --set length="$1" -o "$dir/long.trk" data/tracks/thesis-straight.yaml
+    vxfreq --receptance --from 100 --to 1100 --step 100 -o "$dir/long.frf" "$dir/long.trk"
+    vxfreq --static --load 1000 "$dir/long.trk"
+}
+kilometre=$(median long 1020)
+ten=$(median long 10200)
+row "track, 11 frequencies, statics: 10.2 km of it" "$ten" s - -
+row "the same over ten times 1.02 km" "$(awk -v a="$ten" -v b="$kilometre" 'BEGIN {print a/b/10}')" 1 - -
 passage -v -o "$dir/d.run" 2>"$dir/account"
 row "memory of one run" "$(sed -n 's/.*peak memory \([0-9]*\) MB.*/\1/p' "$dir/account")" MB 100 -
 

@@ -51,6 +51,23 @@ $bin/vxfreq --receptance --peaks --hermite --at midspan --from 800 --to 1000 "$t
 	awk '$1 == "peak" && $3 > most { most = $3; f = $2 } END { exit !(f >= 905 && f <= 909) }'
 ok $? "halfway by Hermite's polynomials: pinned-pinned at 907 Hz"
 
+# A receptance does not change where force and motion change places.
+cross() { # excite at motion motion-at
+	$bin/vxfreq --receptance --excite "$1" --at "$2" --motion "$3" --motion-at "$4" --from 10 --to 1500 --step 10 "$tmp/t.trk" >"$tmp/c.frf" &&
+		$bin/vxdump --csv "$tmp/c.frf" receptance | grep -v '^[a-z#]'
+}
+answers() { # text place1 place2, each "who where"
+	cross $2 $3 >"$tmp/one" && cross $3 $2 >"$tmp/other" && paste -d, "$tmp/one" "$tmp/other" |
+		awk -F, 'function size(x) { return x < 0 ? -x : x }
+			size($1 - $3) + size($2 - $4) <= 1e-9 * (size($1) + size($2)) { good++ } END { exit !(good == 150 && NR == 150) }'
+	ok $? "$1"
+}
+answers "the right rail at 2.1 m answers the left one at 0.45 m as this answers that" "left 0.45" "right 2.1"
+answers "so do rail and sleeper" "left 0" "sleeper 3"
+$bin/vxfreq --receptance --quantity accelerance --excite left --at 0.45 "$tmp/t.trk" >"$tmp/a.frf" &&
+	$bin/vxinfo "$tmp/a.frf" | grep -q 'accelerance  *f64  *1491 x 2  .m/s2/N.' && $bin/vxinfo "$tmp/a.frf" | grep -q 'hermite  *f64  *1491 x 2'
+ok $? "an accelerance at a station, exact and by the thesis' polynomials"
+
 $bin/vxfreq --static --load 1e6 "$tmp/t.trk" >"$tmp/static"
 awk '/^deflection/ { k = 1e6 / $2; good = $3 == "m" && k > 0.99 * 200.9e6 && k < 1.01 * 200.9e6 } END { exit !good }' "$tmp/static"
 ok $? "static stiffness 200.9 MN/m"
@@ -58,6 +75,17 @@ $bin/vxtrack --set ballast.stiffness=400e6 --set railpad.stiffness=150e6 $track 
 awk '/^seat force/ { f = $3 > 42.2e3 && $3 < 44e3 } /^pad compression/ { c = $3 > 0.282e-3 && $3 < 0.294e-3 } END { exit !(f && c) }' \
 	"$tmp/static"
 ok $? "93.2 kN on ballast of 400 and pads of 150 MN/m: seat force 43.1 kN, compression 0.288 mm"
+
+$bin/vxtrack data/tracks/60E1-R760-1-15-diverging.yaml | $bin/vxfreq --stiffness --every 0.3 - >"$tmp/k"
+awk 'NR > 1 && $1 > -60 && $1 < -40 && ($4 < 196e6 || $4 > 202e6) { bad++ }
+	NR > 1 { if ($4 < 1.1e8 || $5 < 1.1e8 || $2 <= $4 || $3 <= $5) bad++ }
+	END { exit !(NR > 500 && !bad) }' "$tmp/k"
+ok $? "stiffness along the turnout: 200 MN/m on the run-in, more where the other rail is free"
+$bin/vxfreq --static --load 93.2e3 --axles -1.25,1.25 --every 0.25 "$tmp/t.trk" >"$tmp/bowl"
+awk 'NR == 1 { good = $1 == "station[m]" && $2 == "left[m]" && $3 == "right[m]" }
+	$1 * $1 < 4 && $2 > 0.40e-3 && $2 < 0.50e-3 { deep++ }
+	END { exit !(good && deep && NR > 110) }' "$tmp/bowl"
+ok $? "the bowl under two axles of a bogie"
 
 for f in 129.0 505.1; do
 	$bin/vxfreq --modes 8 --near $f --text "$tmp/t.trk" |
@@ -68,6 +96,11 @@ $bin/vxfreq --modes 8 --near 826 --text "$tmp/t.trk" | awk '/in phase/ && $2 > 8
 ok $? "an in-phase mode at 826 Hz"
 $bin/vxfreq --modes 8 "$tmp/t.trk" >"$tmp/a.mod" && $bin/vxfreq --modes 8 -o "$tmp/b.mod" "$tmp/t.trk" && cmp -s "$tmp/a.mod" "$tmp/b.mod"
 ok $? "modes twice are the same bytes"
+$bin/vxfreq --modes 20 --near 505 --damped --text "$tmp/t.trk" >"$tmp/damped"
+awk '$3 < 0.1 || $3 > 0.4 || $2 < before { bad++ } { before = $2 } END { exit !(NR == 20 && !bad) }' "$tmp/damped"
+ok $? "twenty damped modes of the rails on their pads"
+$bin/vxfreq --modes 6 --damped "$tmp/t.trk" >"$tmp/a.mod" && $bin/vxinfo "$tmp/a.mod" | grep -q 'imaginary  *f64  *6 x 300'
+ok $? "with complex shapes"
 $bin/vxvehicle data/vehicles/manchester-passenger.yaml | $bin/vxfreq --modes 18 --text - >"$tmp/modes"
 [ "$(wc -l <"$tmp/modes")" -eq 18 ] && grep -q 'carbody bounce' "$tmp/modes" && grep -q 'bogie pitch' "$tmp/modes"
 ok $? "a coach has eighteen modes with its wheelsets held, among them carbody bounce"
@@ -80,6 +113,14 @@ refuses 2 "load" "--static without a load" $bin/vxfreq --static "$tmp/t.trk"
 refuses 2 "lies below" "a range that runs backwards" $bin/vxfreq --receptance --from 100 --to 10 "$tmp/t.trk"
 refuses 2 "is not a number" "a number with a unit" $bin/vxfreq --receptance --from 10Hz "$tmp/t.trk"
 refuses 2 "must be one of" "a third rail" $bin/vxfreq --receptance --excite middle "$tmp/t.trk"
+refuses 2 "go with" "a quantity of modes" $bin/vxfreq --modes 3 --quantity mobility "$tmp/t.trk"
+refuses 2 "goes with" "axles of a receptance" $bin/vxfreq --receptance --axles 3 "$tmp/t.trk"
+refuses 2 "must be" "an axle beyond the track" $bin/vxfreq --static --load 1 --axles 3,99 "$tmp/t.trk"
+refuses 2 "standard output" "a table into a file" $bin/vxfreq --stiffness -o "$tmp/k" "$tmp/t.trk"
+refuses 2 "loads rails" "a static load on a sleeper" $bin/vxfreq --static --load 1 --excite sleeper "$tmp/t.trk"
+refuses 2 "must be -14.7" "a station beyond the track" $bin/vxfreq --receptance --at 15.1 "$tmp/t.trk"
+refuses 2 "NUMBER" "a place that is none" $bin/vxfreq --receptance --at bridge "$tmp/t.trk"
+refuses 1 "of a track" "damped modes of a vehicle" sh -c "$bin/vxvehicle data/vehicles/wheelset.yaml | $bin/vxfreq --modes 1 --damped -"
 refuses 2 "goes with" "--text without --modes" $bin/vxfreq --receptance --text "$tmp/t.trk"
 refuses 2 "input is missing" "no input" $bin/vxfreq --receptance
 refuses 1 "where a .trk file is wanted" "a receptance where a track is wanted" $bin/vxfreq --receptance "$tmp/x.frf"

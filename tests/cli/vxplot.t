@@ -33,8 +33,13 @@ vxrun --track "$dir/track.trk" --vehicle "$dir/wheelset.veh" --contact-left "$di
 cd "$dir" || exit 1
 
 draws "receptances of two files" 1600x900 vxplot sleeper.frf midspan.frf
+draws "static stiffness along the track" 1600x900 sh -c 'vxfreq --stiffness track.trk | vxplot --figure stiffness -'
+draws "the bowl under axles" 1600x900 sh -c 'vxfreq --static --load 9e4 --axles -1,1 track.trk | vxplot --figure bowl -'
 draws "a receptance through a pipe" 800x450 sh -c 'vxplot --size 800x450 - <sleeper.frf'
+vxdump --csv sleeper.frf frequency receptance >measured.csv
+draws "a measurement and receptances" 1600x900 vxplot --figure fit measured.csv sleeper.frf midspan.frf
 draws "modes of the track" 800x450 vxplot --size 800x450 track.mod track.trk
+draws "one mode of each file" 800x450 vxplot --size 800x450 track.trk track.mod track.mod
 draws "sections of a turnout, a window of them" 800x450 vxplot --size 800x450 --from 46 --to 48 turnout.prof
 draws "a single section" 800x450 vxplot --size 800x450 wl.prof
 draws "a contact at u and yaw" 800x450 vxplot --size 800x450 --u 0.0066 --yaw 0.01 wr.prof rr.prof r.ctab

@@ -103,6 +103,10 @@ vxvehicle --set wheelset.1.radius=0.45 --set coupling.1.at=[0,1.0,0.45] -o "$dir
 refuses 1 "wheelset 1 has radius 0.45 m" "a wheel that is not the table's" --vehicle "$dir/small.veh" "$plain"
 vxtrack --set from=-60 --set length=120 --set rail.elements_per_bay=2 -o "$dir/fine.trk" data/tracks/thesis-straight.yaml
 refuses 1 "one rail node above every sleeper" "a finer track" --track "$dir/fine.trk" "$plain"
+for model in mass_model=consistent beam=timoshenko; do
+    vxtrack --set from=-60 --set length=120 --set rail.$model -o "$dir/fine.trk" data/tracks/thesis-straight.yaml
+    refuses 1 "wants lumped Euler-Bernoulli rails" "a track with $model" --track "$dir/fine.trk" "$plain"
+done
 vxtrack --set from=-60 --set length=120 --set 'curve=[{from: -40, curvature: 0.002}]' -o "$dir/curve.trk" data/tracks/thesis-straight.yaml
 refuses 1 "in or behind a curve" "a start in a curve" --track "$dir/curve.trk" "$plain"
 

@@ -71,8 +71,38 @@ refuses 2 "exclude" "--schema with --master" $bin/vxtrack --schema --master
 refuses 2 "stands alone" "--schema with an input" $bin/vxtrack --schema $track
 refuses 1 "No such file" "an input that is not there" $bin/vxtrack "$tmp/none.yaml"
 refuses 1 "stifness" "a key that is not there" $bin/vxtrack --set railpad.stifness=1e8 $track
-refuses 1 "consistent" "a mass model that is not built" $bin/vxtrack --set rail.mass_model=consistent $track
-refuses 1 "timoshenko" "a beam that is not built" $bin/vxtrack --set rail.beam=timoshenko $track
+short() { printf 'track:\n  name: short\n  from: 0\n  length: 12\n  rail: {bending_stiffness: 6.11e6, mass: 60%s}\n' "$1"
+	printf '  sleeper: {spacing: 0.6, mass: 380, roll_inertia: 155.09, length: 2.6}\n  railpad: {stiffness: 300e6, damping: 50e3}\n'
+	printf '  ballast: {stiffness: 280e6, damping: 120e3}\n'; }
+short ', mass_model: consistent' | $bin/vxtrack - >"$tmp/s.trk"
+ok $? "consistent mass wants no pitch inertia"
+short '' >"$tmp/s.yaml"
+refuses 1 "rail.pitch_inertia: a lumped rail needs it" "lumped mass without pitch inertia" $bin/vxtrack "$tmp/s.yaml"
+short ', mass_model: consistent, beam: timoshenko' >"$tmp/s.yaml"
+refuses 1 "rail.shear_stiffness: a timoshenko rail needs it" "a Timoshenko rail without shear stiffness" $bin/vxtrack "$tmp/s.yaml"
+short ', mass_model: consistent, beam: timoshenko, shear_stiffness: 2.49e8' >"$tmp/s.yaml"
+refuses 1 "rail.rotary_inertia: a timoshenko rail with" "or rotary inertia" $bin/vxtrack "$tmp/s.yaml"
+refuses 1 "greater than 0" "a negative stiffness in a table" $bin/vxtrack --set 'rail.left.bending_stiffness={station: [0, 1], value: [6e6, -6e6]}' $track
+refuses 1 "places must increase" "a table that runs backwards" $bin/vxtrack --set 'rail.left.bending_stiffness={station: [1, 0], value: [6e6, 6e6]}' $track
+refuses 1 "elements_per_bay" "no element in a bay" $bin/vxtrack --set rail.elements_per_bay=0 $track
+
+# Every rail model goes through receptance, modes and statics, and gives about the same track.
+for model in lumped consistent; do
+	for beam in euler timoshenko; do
+		for bay in 1 3 8; do
+			$bin/vxtrack --set rail.mass_model=$model --set rail.beam=$beam --set rail.elements_per_bay=$bay -o "$tmp/m.trk" $track &&
+				$bin/vxfreq --receptance --to 200 --peaks "$tmp/m.trk" >"$tmp/peaks" &&
+				$bin/vxfreq --modes 4 --near 129 --text "$tmp/m.trk" >"$tmp/modes" &&
+				$bin/vxfreq --static --load 1000 --at midspan "$tmp/m.trk" >"$tmp/static" &&
+				awk '/^peak/ { exit !($2 > 117 && $2 < 121) }' "$tmp/peaks" && [ "$(wc -l <"$tmp/modes")" -eq 4 ] &&
+				awk '/^deflection/ { exit !($2 > 5.0e-6 && $2 < 5.9e-6) }' "$tmp/static"
+			ok $? "$model mass, $beam, $bay elements a bay: receptance, modes and statics"
+		done
+	done
+done
+
+refuses 1 "must be one of lumped, consistent" "a mass model that is not there" $bin/vxtrack --set rail.mass_model=full $track
+refuses 1 "must be one of euler, timoshenko" "a beam that is not there" $bin/vxtrack --set rail.beam=shear $track
 refuses 1 "greater than 0" "no mass" $bin/vxtrack --set rail.mass=0 $track
 refuses 1 "whole number" "half a bay" $bin/vxtrack --set length=30.3 $track
 refuses 1 "too short" "ballast springs that cross" $bin/vxtrack --set ballast.edge=1.3 $track

@@ -26,14 +26,15 @@ static const char *reopen(struct vxf_out *o, struct vxf *f)
 static void receptance(void)
 {
     static const double f[3] = {10, 20, 30}, H[6] = {1e-9, -1e-9, 2e-9, -2e-9, 3e-9, -3e-9}, wrong[3] = {10, 10, 30};
-    struct frf r = {.excite = "both", .at = "sleeper", .x = -0.3, .n = 3, .frequency = f, .receptance = H, .hermite = H}, back;
+    struct frf r = {FRF_MOBILITY, {"both", "sleeper", -0.3}, {"left", "station", 0.1}, 3, f, H, H, 0, NULL}, back;
     struct vxf_out o;
     struct vxf file;
 
     vxf_out_begin(&o, "frf");
     ok(frf_put(&r, &o) == NULL && reopen(&o, &file) == NULL && frf_read(&back, &file) == NULL, "a receptance goes and comes");
-    ok(strcmp(back.excite, "both") == 0 && strcmp(back.at, "sleeper") == 0 && back.x == -0.3 && back.n == 3 && back.hermites == 0 &&
-           memcmp(back.receptance, H, sizeof H) == 0,
+    ok(back.quantity == FRF_MOBILITY && strcmp(back.force.on, "both") == 0 && strcmp(back.force.at, "sleeper") == 0 &&
+           back.force.x == -0.3 && strcmp(back.motion.on, "left") == 0 && strcmp(back.motion.at, "station") == 0 && back.motion.x == 0.1 &&
+           back.n == 3 && back.hermites == 0 && memcmp(back.H, H, sizeof H) == 0,
        "unchanged");
     struct mod m;
     ok(mod_read(&m, &file) != NULL, "it is no file of modes");
@@ -44,6 +45,9 @@ static void receptance(void)
     r.frequency = f;
     r.hermites = 2;
     ok(frf_put(&r, &o) != NULL, "as are two values for three frequencies");
+    r.hermites = 0;
+    r.motion = r.force;
+    ok(frf_put(&r, &o) != NULL, "as is the one motion of two rails");
     vxf_out_free(&o);
 }
 
@@ -62,6 +66,9 @@ static void modes(void)
        "unchanged");
     mod_free(&back);
     vxf_close(&file);
+    m.imaginaries = 1;
+    ok(mod_put(&m, &o) != NULL, "one complex shape of two modes is refused");
+    m.imaginaries = 0;
     m.frequency = falling;
     ok(mod_put(&m, &o) != NULL, "falling frequencies are refused");
     m.frequency = f;

@@ -24,10 +24,10 @@ static struct peak highest(const struct peak *p, int64_t n, double from, double 
 /* Receptance over the sleeper or bay next to the middle, 10 to 1500 Hz in steps of 1 Hz. */
 static void sweep(struct frf *r, const struct trk *t, int at, int excite)
 {
-    struct point p;
+    struct place p;
 
-    point_at(&p, t, point_station(t, at, 0));
-    const char *why = sweep_point(r, t, &p, at, excite, &(struct sweep){10, 1500, 1});
+    place_find(&p, t, excite, at, 0);
+    const char *why = sweep_places(r, t, &p, &p, FRF_RECEPTANCE, &(struct sweep){10, 1500, 1});
     ok(why == NULL, "sweep%s%s", why ? ": " : "", why ? why : "");
 }
 
@@ -45,8 +45,8 @@ static void resonances(const struct trk *t)
     static struct peak p[MOST];
     struct frf r;
 
-    sweep(&r, t, AT_SLEEPER, EXCITE_BOTH);
-    int64_t n = peaks_find(r.n, r.frequency, r.receptance, p);
+    sweep(&r, t, AT_SLEEPER, PLACE_BOTH);
+    int64_t n = peaks_find(r.n, r.frequency, r.H, p);
     near(extremum(p, n, 0, 0).frequency, 119, 2, "both rails, over a sleeper: rail and sleeper on the ballast at 119 Hz");
     near(extremum(p, n, 0, 0).amplitude / 1.006e-8, 1, 0.02, "with 1.006e-8 m/N");
     near(extremum(p, n, 0, 1).frequency, 486, 5, "rail on the pads at 486 Hz");
@@ -54,22 +54,22 @@ static void resonances(const struct trk *t)
     near(extremum(p, n, 0, 2).frequency, 901, 5, "pinned-pinned, seen from a sleeper, at 901 Hz");
     near(extremum(p, n, 1, 0).frequency, 256, 2, "dip at 256 Hz");
     near(extremum(p, n, 1, 1).frequency, 895, 5, "dip at 895 Hz");
-    near(hypot(r.receptance[2 * 990], r.receptance[2 * 990 + 1]) / 3.8e-10, 1, 0.02, "3.8e-10 m/N at 1000 Hz");
-    near(hypot(r.receptance[2 * 10], r.receptance[2 * 10 + 1]) / 5.05e-9, 1, 0.01, "5.05e-9 m/N at 20 Hz");
+    near(hypot(r.H[2 * 990], r.H[2 * 990 + 1]) / 3.8e-10, 1, 0.02, "3.8e-10 m/N at 1000 Hz");
+    near(hypot(r.H[2 * 10], r.H[2 * 10 + 1]) / 5.05e-9, 1, 0.01, "5.05e-9 m/N at 20 Hz");
     frf_free(&r);
 
-    sweep(&r, t, AT_SLEEPER, EXCITE_LEFT);
-    n = peaks_find(r.n, r.frequency, r.receptance, p);
+    sweep(&r, t, AT_SLEEPER, PLACE_LEFT);
+    n = peaks_find(r.n, r.frequency, r.H, p);
     near(extremum(p, n, 0, 0).frequency, 121, 2, "one rail: 121 Hz");
     near(extremum(p, n, 0, 0).amplitude / 8.87e-9, 1, 0.02, "with 8.87e-9 m/N");
     near(extremum(p, n, 0, 1).frequency, 494, 5, "and 494 Hz");
     near(extremum(p, n, 0, 1).amplitude / 2.61e-9, 1, 0.02, "with 2.61e-9 m/N");
     frf_free(&r);
 
-    sweep(&r, t, AT_MIDSPAN, EXCITE_BOTH);
+    sweep(&r, t, AT_MIDSPAN, PLACE_BOTH);
     n = peaks_find(r.n, r.frequency, r.hermite, p);
     near(highest(p, n, 800, 1000).frequency, 907, 2, "halfway by Hermite's polynomials: pinned-pinned at 907 Hz");
-    near(r.receptance[0] - r.hermite[0], 1.841e-10, 1e-13, "exact minus Hermite is L^3/192EI");
+    near(r.H[0] - r.hermite[0], 1.841e-10, 1e-13, "exact minus Hermite is L^3/192EI");
     ok(r.hermites == r.n, "both are kept");
     frf_free(&r);
 }
@@ -91,14 +91,14 @@ static void closed_form(void)
     struct frf r;
 
     ok(table1(&t, set, 2) == NULL, "a track of 120 m, as good as infinite, builds");
-    sweep(&r, &t, AT_SLEEPER, EXCITE_BOTH);
+    sweep(&r, &t, AT_SLEEPER, PLACE_BOTH);
     for (int f = 20; f <= 120; f += 20) {
-        const double complex H = r.receptance[2 * (f - 10)] + r.receptance[2 * (f - 10) + 1] * I, want = continuous(f);
+        const double complex H = r.H[2 * (f - 10)] + r.H[2 * (f - 10) + 1] * I, want = continuous(f);
         ok(cabs(H - want) <= 0.02 * cabs(want), "%d Hz: the infinite beam on a continuous support, within 2 %%", f);
     }
     int bad = 0;
     for (int64_t i = 0; i < r.n; i++)
-        bad += r.receptance[2 * i + 1] > 0;
+        bad += r.H[2 * i + 1] > 0;
     ok(bad == 0, "the track takes energy up at every frequency: Im H <= 0");
     frf_free(&r);
     trk_free(&t);
@@ -111,16 +111,16 @@ static double refined(int n, int at, double frequency)
     const double h = 0.6 / n;
     const char *set[] = {"from=-60", "length=120", elements, inertia};
     struct trk t;
-    struct point p;
+    struct place p;
     struct frf r = {0};
     double H = NAN;
 
     snprintf(elements, sizeof elements, "rail.elements_per_bay=%d", n);
     snprintf(inertia, sizeof inertia, "rail.pitch_inertia=%.17g", 60 * h * h * h / 12);
     if (table1(&t, set, 4) == NULL) {
-        point_at(&p, &t, point_station(&t, at, 0));
-        if (sweep_point(&r, &t, &p, at, EXCITE_BOTH, &(struct sweep){frequency, frequency, 1}) == NULL)
-            H = hypot(r.receptance[0], r.receptance[1]);
+        place_find(&p, &t, PLACE_BOTH, at, 0);
+        if (sweep_places(&r, &t, &p, &p, FRF_RECEPTANCE, &(struct sweep){frequency, frequency, 1}) == NULL)
+            H = hypot(r.H[0], r.H[1]);
     }
     frf_free(&r);
     trk_free(&t);

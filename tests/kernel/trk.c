@@ -103,7 +103,11 @@ static void refusals(struct trk *t)
     none.rail_spacing = 0;
     refused(&none, "rail.spacing", "rails upon each other");
     TAMPER(x, n, 7, t->x[6], "array x", "a station twice");
-    TAMPER(bending, 2 * (n - 1), 60, 0, "bending", "a rail that does not resist bending");
+    TAMPER(bending, 2 * t->knots, 1, 0, "bending", "a rail that does not resist bending");
+    TAMPER(rail_shear, 2 * (n - 1), 5, -1e-9, "rail.shear", "a rail that shears against its load");
+    TAMPER(rail_density, 2 * (n - 1), 5, -1, "rail.density", "a negative mass along a rail");
+    TAMPER(rail_rotary, 2 * (n - 1), 5, -1, "rail.rotary", "a negative inertia along it");
+    TAMPER(rail_inertia, 2 * n, 3, -1, "rail.inertia", "a negative pitch inertia");
     TAMPER(rail_mass, 2 * n, 3, -1, "rail.mass", "a negative mass");
     TAMPER(sleeper_mass, s, 3, 0, "sleeper.mass", "a sleeper without mass");
     TAMPER(pad_k, 2 * s, 99, -1, "pad.k", "a negative stiffness");

@@ -13,19 +13,40 @@
 #include "tools/draw/tables.h"
 #include "tools/draw/yaw.h"
 
-static const char *make_receptance(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
+/* With the values by Hermite's polynomials where hermite is true; *quantity is that of all. */
+static const char *add_receptances(struct chart *c, int n, const struct figure_input *in, int hermite, int *quantity)
 {
     const char *why = NULL;
 
-    (void)o;
-    receptance_begin(c);
     for (int k = 0; k < n && !why; k++) {
         struct frf r;
-        why = frf_read(&r, in[k].file);
-        if (!why)
-            why = receptance_add(c, &r, in[k].label);
+        if ((why = frf_read(&r, in[k].file)))
+            break;
+        if (k == 0)
+            receptance_begin(c, *quantity = r.quantity);
+        r.hermites = hermite ? r.hermites : 0;
+        why = r.quantity == *quantity ? receptance_add(c, &r, in[k].label) : reason("%s and %s do not share an axis",
+                                                                                    frf_quantity[*quantity].name, frf_quantity[r.quantity].name);
     }
     return why;
+}
+
+static const char *make_receptance(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
+{
+    int quantity;
+
+    (void)o;
+    return add_receptances(c, n, in, 1, &quantity);
+}
+
+/* A measurement, and receptances to hold against it. */
+static const char *make_fit(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
+{
+    int quantity;
+    const char *why = add_receptances(c, n - 1, in + 1, 0, &quantity);
+
+    (void)o;
+    return why ? why : receptance_add_measured(c, in[0].table, quantity);
 }
 
 static const char *make_sections(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
@@ -90,16 +111,38 @@ static const char *make_radius(struct chart *c, int n, const struct figure_input
     return why ? why : radius_chart(c, &left, &right, o->at.station, o->at.yaw);
 }
 
-static const char *make_modes(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
+static const char *add_modes(struct chart *c, const struct vxf *file, const struct trk *t, int most)
 {
     struct mod m;
+    const char *why = mod_read(&m, file);
+
+    return why ? why : modes_add(c, &m, t, most);
+}
+
+static const char *make_modes(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
+{
     struct trk t;
-    const char *why = mod_read(&m, in[0].file);
+    const char *why = trk_read(&t, in[1].file);
 
     (void)n;
     (void)o;
-    why = why ? why : trk_read(&t, in[1].file);
-    return why ? why : modes_chart(c, &m, &t);
+    if (why)
+        return why;
+    modes_begin(c, &t);
+    return add_modes(c, in[0].file, &t, 4);
+}
+
+static const char *make_chosen_modes(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
+{
+    struct trk t;
+    const char *why = trk_read(&t, in[0].file);
+
+    (void)o;
+    if (!why)
+        modes_begin(c, &t);
+    for (int k = 1; k < n && !why; k++)
+        why = add_modes(c, in[k].file, &t, 1);
+    return why;
 }
 
 static const char *make_rolling_radius(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
@@ -114,6 +157,20 @@ static const char *make_conicity(struct chart *c, int n, const struct figure_inp
     (void)n;
     (void)o;
     return tables_conicity(c, in[0].table);
+}
+
+static const char *make_stiffness(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
+{
+    (void)n;
+    (void)o;
+    return tables_stiffness(c, in[0].table);
+}
+
+static const char *make_bowl(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
+{
+    (void)n;
+    (void)o;
+    return tables_bowl(c, in[0].table);
 }
 
 static const char *make_table(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
@@ -158,7 +215,9 @@ static const char *make_runs(runs_add *add, struct chart *c, int n, const struct
 
 const struct figure figures[] = {
     {"receptance", "frf ...", "magnitude with peaks, and phase", make_receptance, NULL},
+    {"fit", "text frf ...", "a measured receptance as dots, and receptances", make_fit, NULL},
     {"modes", "mod trk", "natural modes of a track, the first four of the file", make_modes, NULL},
+    {"modes", "trk mod ...", "the first mode of each file", make_chosen_modes, NULL},
     {"sections", "prof", "cross-sections along the track", make_sections, NULL},
     {"contact", "prof prof ctab", "wheel on rail and its contact points, at --station --yaw --u", make_contact, NULL},
     {"pairs", "prof prof ctab", "points of wheel and rail that touch, over all displacements", make_pairs, NULL},
@@ -168,6 +227,8 @@ const struct figure figures[] = {
     {"yaw", "text ...", "the contact that touches, from vxcontact --sweep, by method", make_yaw, NULL},
     {"path", "text ...", "height of a wheel and place of its contact, from vxcontact --path", make_path, NULL},
     {"conicity", "text", "equivalent conicity over amplitude, from vxcontact --conicity", make_conicity, NULL},
+    {"stiffness", "text", "static stiffness along the track, from vxfreq --stiffness", make_stiffness, NULL},
+    {"bowl", "text", "static deflection under axles, from vxfreq --static --axles", make_bowl, NULL},
     {"table", "text", "columns of numbers over the first, a panel for each unit", make_table, NULL},
     {"vertical", "run ...", "vertical force Q of --wheelset, left and right", NULL, runs_vertical},
     {"lateral", "run ...", "lateral force Y of --wheelset, left and right", NULL, runs_lateral},

@@ -3,16 +3,45 @@
 #include <math.h>
 #include <string.h>
 
-enum { MODES = 4 };
+enum { PIECES = 8 };       /* of the line between two nodes */
 
-/* Deflections of the n nodes with degrees of freedom dof[k] + behind of a shape, over its largest one. */
-static double *deflections(struct chart *c, const double *shape, int64_t n, const int64_t *dof, int behind, double largest)
+/* Stations and deflections of a rail, `behind` in a shape, over the largest: between nodes by Hermite's polynomials of deflection and
+ * pitch t = -dw/dx.  x, w [PIECES (nodes - 1) + 1] */
+static void bend(const struct trk *t, const double *shape, int behind, double largest, double *x, double *w)
 {
-    double *w = chart_numbers(c, n);
+    for (int64_t i = 0; i <= PIECES * (t->nodes - 1); i++) {
+        const int64_t k = i / PIECES < t->nodes - 1 ? i / PIECES : t->nodes - 2;
+        const double *one = &shape[t->node_dof[k] + behind], *two = &shape[t->node_dof[k + 1] + behind];
+        const double L = t->x[k + 1] - t->x[k], r = (double)(i - PIECES * k) / PIECES, s = 1 - r;
+        x[i] = t->x[k] + r * L;
+        w[i] = (s * s * (1 + 2 * r) * one[0] - r * s * s * L * one[1] + r * r * (1 + 2 * s) * two[0] + r * r * s * L * two[1]) / largest;
+    }
+}
 
-    for (int64_t k = 0; w && k < n; k++)
-        w[k] = shape[dof[k] + behind] / largest;
-    return w;
+static void add_rail(struct chart *c, struct chart_panel *p, const struct trk *t, const double *shape, int rail, double largest)
+{
+    const int64_t n = PIECES * (t->nodes - 1) + 1;
+    double *x = chart_numbers(c, n), *w = chart_numbers(c, n);
+
+    if (!x || !w)
+        return;
+    bend(t, shape, 2 * rail, largest, x, w);
+    struct chart_series *s = chart_add_series(c, p, rail == TRK_LEFT ? "left rail" : "right rail", n, x, w);
+    s->dash = rail == TRK_LEFT ? CANVAS_SOLID : CANVAS_DASHED;
+}
+
+static void add_sleepers(struct chart *c, struct chart_panel *p, const struct trk *t, const double *shape, double largest)
+{
+    double *z = chart_numbers(c, t->sleepers);
+
+    for (int64_t k = 0; z && k < t->sleepers; k++)
+        z[k] = shape[t->sleeper_dof[k]] / largest;
+    if (!z)
+        return;
+    struct chart_series *s = chart_add_series(c, p, "sleepers", t->sleepers, t->sleeper_x, z);
+    s->width = 0;
+    s->mark = CANVAS_DISC;
+    s->size = 3;
 }
 
 /* The deflection of rails and sleepers largest in magnitude, with its sign. */
@@ -33,31 +62,27 @@ static double largest_of(const struct trk *t, const double *shape)
 static void add_mode(struct chart *c, const struct mod *m, const struct trk *t, int64_t mode)
 {
     const double *shape = m->shape + mode * m->dofs;
-    double largest = largest_of(t, shape);
+    const double largest = largest_of(t, shape);
     struct chart_panel *p = chart_add_panel(c, chart_words(c, "%.2f Hz", m->frequency[mode]), 1);
-    const double *left = deflections(c, shape, t->nodes, t->node_dof, 0, largest);
-    const double *right = deflections(c, shape, t->nodes, t->node_dof, 2, largest);
-    const double *sleeper = deflections(c, shape, t->sleepers, t->sleeper_dof, 0, largest);
 
-    if (!left || !right || !sleeper)
-        return;
     p->y.down = 1;
-    chart_add_series(c, p, "left rail", t->nodes, t->x, left);
-    chart_add_series(c, p, "right rail", t->nodes, t->x, right)->dash = CANVAS_DASHED;
-    struct chart_series *s = chart_add_series(c, p, "sleepers", t->sleepers, t->sleeper_x, sleeper);
-    s->width = 0;
-    s->mark = CANVAS_DISC;
-    s->size = 3;
+    add_rail(c, p, t, shape, TRK_LEFT, largest);
+    add_rail(c, p, t, shape, TRK_RIGHT, largest);
+    add_sleepers(c, p, t, shape, largest);
 }
 
-const char *modes_chart(struct chart *c, const struct mod *m, const struct trk *t)
+void modes_begin(struct chart *c, const struct trk *t)
 {
-    if (strcmp(m->of, "trk") != 0 || m->dofs != t->dofs)
-        return "the modes are not those of this track";
     c->title = chart_words(c, "Natural modes of %s", t->name);
     c->x.label = "station (m)";
     c->alike = 1;
-    for (int64_t k = 0; k < m->n && k < MODES; k++)
+}
+
+const char *modes_add(struct chart *c, const struct mod *m, const struct trk *t, int most)
+{
+    if (strcmp(m->of, "trk") != 0 || m->dofs != t->dofs)
+        return "the modes are not those of this track";
+    for (int64_t k = 0; k < m->n && k < most && c->panels < CHART_PANELS; k++)
         add_mode(c, m, t, k);
     return c->why;
 }

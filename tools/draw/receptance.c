@@ -29,37 +29,70 @@ int receptance_peaks(int64_t n, const double *a, double ratio, int most, int64_t
     return found;
 }
 
-void receptance_begin(struct chart *c)
+void receptance_begin(struct chart *c, int quantity)
 {
+    static const char *const label[FRF_QUANTITIES] = {"receptance (m/N)", "mobility (m/(N s))", "accelerance (m/(N s²))"};
+
     c->x = (struct chart_axis){.label = "frequency (Hz)", .log = 1};
-    struct chart_panel *magnitude = chart_add_panel(c, "receptance (m/N)", 1);
+    struct chart_panel *magnitude = chart_add_panel(c, label[quantity], 1);
     magnitude->y.log = 1;
     magnitude->share = 2.4;
     struct chart_panel *phase = chart_add_panel(c, "phase (°)", 180 / M_PI);
     phase->y.step = 90;
 }
 
-/* Magnitude and phase of h [n][2], the phase in -3/2 pi .. pi/2, where that of a passive structure does not jump. */
-static void polar(int64_t n, const double *h, double *magnitude, double *phase)
+/* Magnitude and phase of h, the phase of a receptance in -3/2 pi .. pi/2, of a mobility a quarter and of an accelerance half a
+ * turn above: where that of a passive structure does not jump. */
+static void polar(int quantity, double re, double im, double *magnitude, double *phase)
 {
+    const double top = M_PI / 2 * (1 + quantity), angle = atan2(im, re);
+
+    *magnitude = hypot(re, im);
+    *phase = angle > top ? angle - 2 * M_PI : angle <= top - 2 * M_PI ? angle + 2 * M_PI : angle;
+}
+
+/* The pen is lifted where phase [n] jumps. */
+static void lift(int64_t n, double *phase)
+{
+    double before = NAN;
+
     for (int64_t i = 0; i < n; i++) {
-        magnitude[i] = hypot(h[2 * i], h[2 * i + 1]);
-        phase[i] = atan2(h[2 * i + 1], h[2 * i]);
-        if (phase[i] > M_PI / 2)
-            phase[i] -= 2 * M_PI;
+        const double here = phase[i];
+        if (fabs(here - before) > M_PI)
+            phase[i] = NAN;
+        before = here;
     }
 }
 
-static const struct chart_series *add_curve(struct chart *c, int64_t n, const double *f, const double *h, const char *label,
-                                            int hermite)
+static const char *rail_words(const char *on)
 {
-    double *magnitude = chart_numbers(c, n), *phase = chart_numbers(c, n);
+    return !strcmp(on, "both") ? "both rails" : !strcmp(on, "left") ? "left rail" : !strcmp(on, "right") ? "right rail" : "sleeper";
+}
+
+/* "both rails loaded, above a sleeper", "left rail at 1.20 m loaded, motion of right rail at 1.80 m" */
+static const char *label_of(struct chart *c, const struct frf *r)
+{
+    const struct frf_place *f = &r->force, *m = &r->motion;
+    const char *rails = rail_words(f->on);
+
+    if (f->x == m->x && (!strcmp(f->on, m->on) || !strcmp(f->on, "both")) && strcmp(f->at, "station")) {
+        const char *where = !strcmp(f->at, "midspan") ? ", between sleepers" : strcmp(f->on, "sleeper") ? ", above a sleeper" : "";
+        return chart_words(c, "%s loaded%s", rails, where);
+    }
+    return chart_words(c, "%s loaded at %.2f m, motion of %s at %.2f m", rails, f->x, rail_words(m->on), m->x);
+}
+
+static const struct chart_series *add_curve(struct chart *c, const struct frf *r, const double *h, const char *label, int hermite)
+{
+    double *magnitude = chart_numbers(c, r->n), *phase = chart_numbers(c, r->n);
 
     if (!magnitude || !phase)
         return NULL;
-    polar(n, h, magnitude, phase);
-    struct chart_series *s = chart_add_series(c, &c->panel[0], label, n, f, magnitude);
-    struct chart_series *below = chart_add_series(c, &c->panel[1], NULL, n, f, phase);
+    for (int64_t i = 0; i < r->n; i++)
+        polar(r->quantity, h[2 * i], h[2 * i + 1], &magnitude[i], &phase[i]);
+    lift(r->n, phase);
+    struct chart_series *s = chart_add_series(c, &c->panel[0], label, r->n, r->frequency, magnitude);
+    struct chart_series *below = chart_add_series(c, &c->panel[1], NULL, r->n, r->frequency, phase);
     if (hermite) {
         s->colour = CHART_GREY;
         s->dash = CANVAS_DASHED;
@@ -71,20 +104,35 @@ static const struct chart_series *add_curve(struct chart *c, int64_t n, const do
 
 const char *receptance_add(struct chart *c, const struct frf *r, const char *label)
 {
-    const char *where = !strcmp(r->at, "midspan") ? "between sleepers" : "above a sleeper";
-    const char *rails = !strcmp(r->excite, "both") ? "both rails loaded" : !strcmp(r->excite, "left") ? "left rail loaded"
-                                                                                                     : "right rail loaded";
     int64_t peak[PEAKS];
-
-    if (!label)
-        label = chart_words(c, "%s, %s", rails, where);
-    const struct chart_series *s = add_curve(c, r->n, r->frequency, r->receptance, label, 0);
+    const struct chart_series *s = add_curve(c, r, r->H, label ? label : label_of(c, r), 0);
     int peaks = s ? receptance_peaks(s->n, s->y, prominence, PEAKS, peak) : 0;
+
     for (int k = 0; k < peaks; k++) {
         double at = r->frequency[peak[k]];
         chart_add_note(c, &c->panel[0], at, s->y[peak[k]], chart_words(c, "%.0f Hz", at))->colour = s->colour;
     }
     if (r->hermites == r->n && r->n > 0)
-        add_curve(c, r->n, r->frequency, r->hermite, "by Hermite interpolation", 1);
+        add_curve(c, r, r->hermite, "by Hermite interpolation", 1);
+    return c->why;
+}
+
+const char *receptance_add_measured(struct chart *c, const struct columns *t, int quantity)
+{
+    double *y[2] = {chart_numbers(c, t->rows), chart_numbers(c, t->rows)};
+
+    if (t->n < 3 || columns_find(t, "frequency") != 0)
+        return "not a table of frequency, real and imaginary part";
+    if (!y[0] || !y[1])
+        return c->why;
+    for (int64_t i = 0; i < t->rows; i++)
+        polar(quantity, t->value[1][i], t->value[2][i], &y[0][i], &y[1][i]);
+    for (int k = 0; k < 2; k++) {
+        struct chart_series *s = chart_add_series(c, &c->panel[k], k ? NULL : "measured", t->rows, t->value[0], y[k]);
+        s->colour = CHART_BLACK;
+        s->width = 0;
+        s->mark = CANVAS_DISC;
+        s->size = 2.5;
+    }
     return c->why;
 }

@@ -74,3 +74,40 @@ const char *tables_conicity(struct chart *c, const struct columns *t)
     c->title = "Equivalent conicity and further parameters over amplitude";
     return c->why;
 }
+
+/* A panel with the columns `left` and `right` of a table over its stations. */
+static const char *add_rails(struct chart *c, const struct columns *t, const char *left, const char *right, const char *label,
+                             double factor, const char *from)
+{
+    const int station = columns_find(t, "station"), column[2] = {columns_find(t, left), columns_find(t, right)};
+
+    if (station < 0 || column[0] < 0 || column[1] < 0)
+        return reason("no column %s: not a table of %s", station < 0 ? "station" : column[0] < 0 ? left : right, from);
+    struct chart_panel *p = chart_add_panel(c, label, factor);
+    for (int k = 0; k < 2; k++) {
+        const char *name = c->panels > 1 ? NULL : k ? "right rail" : "left rail";
+        chart_add_series(c, p, name, t->rows, t->value[station], t->value[column[k]]);
+    }
+    return c->why;
+}
+
+const char *tables_stiffness(struct chart *c, const struct columns *t)
+{
+    static const char from[] = "vxfreq --stiffness";
+
+    c->title = "Static stiffness of the track, load over deflection";
+    c->x.label = "station (m)";
+    c->alike = 1;
+    const char *why = add_rails(c, t, "left", "right", "both loaded (MN/m)", 1e-6, from);
+    return why ? why : add_rails(c, t, "left_alone", "right_alone", "one loaded (MN/m)", 1e-6, from);
+}
+
+const char *tables_bowl(struct chart *c, const struct columns *t)
+{
+    c->title = "Static deflection of the track";
+    c->x.label = "station (m)";
+    const char *why = add_rails(c, t, "left", "right", "deflection (mm)", 1e3, "vxfreq --static --axles");
+    if (c->panels > 0)
+        c->panel[0].y.down = 1;
+    return why;
+}

@@ -14,4 +14,10 @@ const char *tables_rolling_radius(struct chart *c, const struct columns *t);
 /* The table of vxcontact --conicity: the parameters of linear wheelset models over the amplitude, a panel each. */
 const char *tables_conicity(struct chart *c, const struct columns *t);
 
+/* The table of vxfreq --stiffness: what each rail gives alone, and where both are loaded alike. */
+const char *tables_stiffness(struct chart *c, const struct columns *t);
+
+/* The table of vxfreq --static --axles: deflection of both rails, downwards. */
+const char *tables_bowl(struct chart *c, const struct columns *t);
+
 #endif

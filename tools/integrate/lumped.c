@@ -2,7 +2,7 @@
 #include "tools/integrate/lumped.h"
 #include "formats/reason.h"
 #include "tools/contact/clones.h"
-#include "tools/track/beam.h"
+#include "tools/track/rails.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -40,6 +40,9 @@ static void place_arrays(struct lumped *l, struct room *r)
         l->k12[s] = take(r, n);
         l->k6[s] = take(r, n);
         l->k4[s] = take(r, n);
+        l->taper_6[s] = take(r, n);
+        l->taper_near[s] = take(r, n);
+        l->taper_far[s] = take(r, n);
         l->shear[s] = take(r, n + LANES);
         l->near[s] = take(r, n + LANES);
         l->far[s] = take(r, n + LANES);
@@ -55,6 +58,21 @@ static void place_arrays(struct lumped *l, struct room *r)
     }
 }
 
+/* K = [w -c1 -w -c2; . n c1 f; . . w c2; . . . m]: what is alike at both ends into k12, k6, k4, the rest into the taper. */
+static void set_tapered(struct lumped *l, int s, int64_t i)
+{
+    double K[4][4];
+
+    beam_stiffness(&l->beam[s][i], K);
+    l->k12[s][i] = K[0][0];
+    l->k6[s][i] = -0.5 * (K[0][1] + K[0][3]);
+    l->k4[s][i] = 2 * K[1][3];
+    l->taper_6[s][i] = -0.5 * (K[0][1] - K[0][3]);
+    l->taper_near[s][i] = K[1][1] - 2 * K[1][3];
+    l->taper_far[s][i] = K[3][3] - 2 * K[1][3];
+    l->tapered[s] = 1;
+}
+
 static void set_rail(struct lumped *l, int s)
 {
     const struct trk *t = l->track;
@@ -66,11 +84,28 @@ static void set_rail(struct lumped *l, int s)
         p[i] = 1 / t->rail_inertia[s * l->n + i];
     }
     for (int64_t i = 0; i + 1 < l->n; i++) {
-        double EI = t->bending[s * (l->n - 1) + i], L = t->x[i + 1] - t->x[i];
-        l->k12[s][i] = 12 * EI / (L * L * L);
-        l->k6[s][i] = 6 * EI / (L * L);
-        l->k4[s][i] = 4 * EI / L;
+        const struct beam b = l->beam[s][i] = rails_beam(t, s, i);
+        const double EI = b.bending, L = b.length;
+        if (!(EI > 0))
+            set_tapered(l, s, i);
+        else {
+            l->k12[s][i] = 12 * EI / (L * L * L);
+            l->k6[s][i] = 6 * EI / (L * L);
+            l->k4[s][i] = 4 * EI / L;
+        }
     }
+}
+
+/* The explicit scheme's rails: mass at the nodes alone, Euler-Bernoulli, a node above every sleeper. */
+static int is_lumped(const struct trk *t)
+{
+    int same = t->nodes == t->sleepers && t->nodes >= 2;
+
+    for (int64_t k = 0; k < TRK_RAILS * (t->nodes - 1); k++)
+        same &= t->rail_density[k] <= 0 && t->rail_rotary[k] <= 0 && t->rail_shear[k] <= 0;
+    for (int64_t k = 0; k < TRK_RAILS * t->nodes; k++)
+        same &= t->rail_mass[k] > 0 && t->rail_inertia[k] > 0;
+    return same;
 }
 
 static void set_sleepers(struct lumped *l)
@@ -99,13 +134,20 @@ const char *lumped_new(struct lumped *l, const struct trk *t, double gravity)
 
     *l = (struct lumped){.track = t, .n = t->sleepers, .gravity = gravity};
     l->stride = (t->sleepers + LANES - 1) / LANES * LANES;
-    if (t->nodes != t->sleepers || t->nodes < 2)
-        return "the explicit scheme wants one rail node above every sleeper: elements_per_bay: 1";
+    if (!is_lumped(t))
+        return "the explicit scheme wants lumped Euler-Bernoulli rails with one rail node above every sleeper: mass_model: lumped, beam: euler, "
+               "elements_per_bay: 1";
     place_arrays(l, &room);
     if (!(room.base = l->store = calloc(room.used, sizeof *l->store)))
         return REASON_MEMORY;
     room.used = 0;
     place_arrays(l, &room);
+    l->beam[0] = calloc(2 * (size_t)l->n, sizeof *l->beam[0]);
+    if (!l->beam[0]) {
+        lumped_free(l);
+        return REASON_MEMORY;
+    }
+    l->beam[1] = l->beam[0] + l->n;
     for (int s = 0; s < 2; s++)
         set_rail(l, s);
     set_sleepers(l);
@@ -115,6 +157,7 @@ const char *lumped_new(struct lumped *l, const struct trk *t, double gravity)
 void lumped_free(struct lumped *l)
 {
     free(l->store);
+    free(l->beam[0]);
     *l = (struct lumped){0};
 }
 
@@ -132,6 +175,19 @@ CLONES static void bend(int64_t n, const double *restrict w, const double *restr
         shear[i] = k12[i] * d - k6[i] * (t[i] + t[i + 1]);
         near[i] = k4[i] * (t[i] + 0.5 * t[i + 1]) - k6[i] * d;
         far[i] = k4[i] * (0.5 * t[i] + t[i + 1]) - k6[i] * d;
+    }
+}
+
+/* What an element has beside that where its stiffness varies. */
+CLONES static void bend_tapered(int64_t n, const double *restrict w, const double *restrict t, const double *restrict k6,
+                                const double *restrict k_near, const double *restrict k_far, double *restrict shear,
+                                double *restrict near, double *restrict far)
+{
+    for (int64_t i = 0; i < n - 1; i++) {
+        double d = w[i] - w[i + 1];
+        shear[i] -= k6[i] * (t[i] - t[i + 1]);
+        near[i] += k_near[i] * t[i] - k6[i] * d;
+        far[i] += k_far[i] * t[i + 1] + k6[i] * d;
     }
 }
 
@@ -188,6 +244,8 @@ void lumped_accelerate(struct lumped *l)
         int64_t w = (s ? LUMPED_WR : LUMPED_WL) * k, t = (s ? LUMPED_TR : LUMPED_TL) * k;
         double *shear = l->shear[s] + LANES, *near = l->near[s] + LANES, *far = l->far[s] + LANES;
         bend(n, l->u + w, l->u + t, l->k12[s], l->k6[s], l->k4[s], shear, near, far);
+        if (l->tapered[s])
+            bend_tapered(n, l->u + w, l->u + t, l->taper_6[s], l->taper_near[s], l->taper_far[s], shear, near, far);
         compress(n, l->u + w, l->v + w, z, vz, r, vr, l->arm[s], l->pad_k[s], l->pad_c[s], l->pad[s]);
         rail_acceleration(n, shear, near, far, l->pad[s], l->inverse + w, l->inverse + t, l->gravity, l->a + w, l->a + t);
     }
@@ -217,12 +275,12 @@ int64_t lumped_element(const struct lumped *l, double x)
 struct lumped_place lumped_find(const struct lumped *l, int rail, double x)
 {
     struct lumped_place p = {.node = lumped_element(l, x)};
-    const double *node = l->track->x + p.node;
-    double L = node[1] - node[0], a = x - node[0];
+    const struct beam *b = &l->beam[rail][p.node];
+    const double a = x - b->from;
 
-    beam_shape(L, a, p.shape);
-    beam_slope(L, a, p.slope);
-    p.compliance = beam_compliance(l->track->bending[rail * (l->n - 1) + p.node], L, a);
+    beam_shape(b, a, p.shape);
+    beam_slope(b, a, p.slope);
+    p.compliance = beam_compliance(b, a);
     return p;
 }
 

@@ -6,6 +6,7 @@
 #define VX_INTEGRATE_LUMPED_H
 
 #include "formats/trk.h"
+#include "tools/track/beam.h"
 
 enum lumped_part { LUMPED_WL, LUMPED_TL, LUMPED_WR, LUMPED_TR, LUMPED_Z, LUMPED_ROLL, LUMPED_PARTS };
 
@@ -16,14 +17,18 @@ struct lumped {
     double *u, *v, *a, *before;         /* [6 stride] m, rad; rates; accelerations now and a step before */
     double *pad[2], *ballast[3];        /* N [stride] compressive forces at the last accelerations, dead weight included */
     double *inverse;                    /* 1/kg, 1/(kg m2) [6 stride] */
-    double *k12[2], *k6[2], *k4[2];     /* N/m, N, N m [stride] 12 EI/L^3, 6 EI/L^2, 4 EI/L of the element behind a node */
+    double *k12[2], *k6[2], *k4[2];     /* N/m, N, N m [stride] 12 EI/L^3, 6 EI/L^2, 4 EI/L of the element behind a node, or what
+                                           stands for them where EI varies along it */
+    double *taper_6[2], *taper_near[2], *taper_far[2]; /* N, N m, N m [stride] what its stiffness then has beside these */
+    int tapered[2];                     /* whether any element of the rail has that */
+    struct beam *beam[2];               /* [n - 1] */
     double *shear[2], *near[2], *far[2];/* N, N m [stride + 8] end forces of the elements, one ahead of the first */
     double *pad_k[2], *pad_c[2], *arm[2];               /* N/m, N s/m, m [stride] of the pads; arm to the sleeper's centre */
     double *ballast_k[3], *ballast_c[3], *ballast_y[3]; /* the same of the ballast */
     double *store;
 };
 
-/* Fails where nodes and sleepers do not go in pairs. */
+/* Fails where nodes and sleepers do not go in pairs, mass does not stand at the nodes, or shear deforms the rails. */
 const char *lumped_new(struct lumped *l, const struct trk *t, double gravity);
 void lumped_free(struct lumped *l);
 
@@ -35,7 +40,7 @@ struct lumped_place {
     int64_t node;         /* ahead of the wheel is node + 1 */
     double shape[4];      /* of [w t w t] */
     double slope[4];      /* 1/m their derivatives by x */
-    double compliance;    /* m/N of the loaded element, a^3 b^3/(3 EI L^3) */
+    double compliance;    /* m/N of the loaded element with held ends */
 };
 
 /* The element, by the node behind, under station x. */

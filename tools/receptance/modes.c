@@ -136,8 +136,7 @@ static const char *extract(struct lanczos *a, double sigma, double *lambda, doub
     return info == 0 ? NULL : reason("ARPACK gave no modes (info %d)", (int)info);
 }
 
-/* In phase where the rails move alike, antiphase where they move against each other, else nothing. */
-static void name_of(const struct trk *t, const double *x, char name[32])
+void modes_name(const struct trk *t, const double *x, char name[32])
 {
     double left = 0, right = 0, both = 0;
 
@@ -162,7 +161,7 @@ static void take(const struct trk *t, const double *x, double lambda, double *fr
     for (int64_t i = 0; i < t->dofs; i++)
         shape[i] = most < 0 ? -x[i] : x[i];
     *frequency = sqrt(fmax(lambda, 0)) / (2 * M_PI);
-    name_of(t, shape, name);
+    modes_name(t, shape, name);
 }
 
 static const char *find(struct mod *m, const struct trk *t, double sigma, double *lambda, double *shape)

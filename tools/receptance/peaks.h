@@ -7,10 +7,10 @@
 struct peak {
     int is_dip;
     double frequency;   /* Hz */
-    double amplitude;   /* m/N */
+    double amplitude;   /* in the unit of H */
 };
 
-/* Inner extrema of |H| over frequency [n] (Hz), H [n][2] (m/N), into peak [n]; returns how many. */
+/* Inner extrema of |H| over frequency [n] (Hz), H [n][2], into peak [n]; returns how many. */
 int64_t peaks_find(int64_t n, const double *frequency, const double *H, struct peak *peak);
 
 #endif

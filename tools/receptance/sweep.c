@@ -12,40 +12,33 @@
 
 static const double FREQUENCIES_MOST = 1e7;
 
-/* u [dofs][2]: a unit force on each loaded rail. */
-static void load(const struct trk *t, const struct point *p, int excite, double *u)
+/* m/N, of the places moved by the nodes alone; u [dofs][2] is work space. */
+static const char *response(struct direct *d, const struct place *force, const struct place *motion, double frequency, double *u,
+                            double complex *H)
 {
-    memset(u, 0, 2 * (size_t)t->dofs * sizeof *u);
-    for (int rail = 0; rail < TRK_RAILS; rail++) {
-        int64_t dof[4];
-        point_dofs(p, t, rail, dof);
-        for (int k = 0; k < 4 && point_loads(excite, rail); k++)
-            u[2 * dof[k]] += p->shape[k];
-    }
-}
-
-/* H [2], m/N: real and imaginary part; u [dofs][2] is work space. */
-static const char *response(struct direct *d, const struct point *p, int excite, double frequency, double *u, double *H)
-{
-    int64_t dof[4];
     const char *why = direct_factor(d, 2 * M_PI * frequency * I);
 
-    load(d->track, p, excite, u);
+    memset(u, 0, 2 * (size_t)d->track->dofs * sizeof *u);
+    for (int k = 0; k < force->dofs; k++)
+        u[2 * force->dof[k]] = force->share[k];
     if (why || (why = direct_solve(d, u)))
         return reason("at %g Hz: %s", frequency, why);
-    point_dofs(p, d->track, point_rail(excite), dof);
-    for (int c = 0; c < 2; c++) {
-        H[c] = 0;
-        for (int k = 0; k < 4; k++)
-            H[c] += p->shape[k] * u[2 * dof[k] + c];
-    }
+    for (int k = 0; k < motion->dofs; k++)
+        *H += motion->share[k] * (u[2 * motion->dof[k]] + u[2 * motion->dof[k] + 1] * I);
     return NULL;
 }
 
-/* hermite, exact: [n][2], the second with the compliance of the element; frequency [n]. */
-static const char *solve_all(const struct trk *t, const struct point *p, int excite, int64_t n, const double *frequency,
-                             double *hermite, double *exact)
+static void keep(double complex H, double complex factor, double *to)
 {
+    to[0] = creal(factor * H);
+    to[1] = cimag(factor * H);
+}
+
+/* hermite, exact: [n][2], the second with what the element gives with held ends; frequency [n]. */
+static const char *solve_all(const struct trk *t, const struct place *force, const struct place *motion, int quantity, int64_t n,
+                             const double *frequency, double *hermite, double *exact)
+{
+    const double held = place_held(force, motion, t);
     struct direct d;
     const char *why = direct_new(&d, t);
     if (why)
@@ -54,38 +47,52 @@ static const char *solve_all(const struct trk *t, const struct point *p, int exc
     if (!u)
         why = REASON_MEMORY;
     for (int64_t i = 0; i < n && !why; i++) {
-        why = response(&d, p, excite, frequency[i], u, &hermite[2 * i]);
-        exact[2 * i] = hermite[2 * i] + p->compliance[point_rail(excite)];
-        exact[2 * i + 1] = hermite[2 * i + 1];
+        double complex H = 0, factor = 1;
+        for (int power = 0; power < quantity; power++)
+            factor *= 2 * M_PI * frequency[i] * I;
+        if ((why = response(&d, force, motion, frequency[i], u, &H)) == NULL) {
+            keep(H, factor, &hermite[2 * i]);
+            keep(H + held, factor, &exact[2 * i]);
+        }
     }
     free(u);
     direct_free(&d);
     return why;
 }
 
-const char *sweep_point(struct frf *r, const struct trk *t, const struct point *p, int at, int excite, const struct sweep *s)
+static void name(const struct place *p, struct frf_place *to)
 {
-    static const char *const excites[] = {"left", "right", "both"}, *const ats[] = {"sleeper", "midspan"};
+    snprintf(to->on, sizeof to->on, "%s", place_on[p->on]);
+    snprintf(to->at, sizeof to->at, "%s", place_at[p->at]);
+    to->x = p->x;
+}
+
+const char *sweep_places(struct frf *r, const struct trk *t, const struct place *force, const struct place *motion, int quantity,
+                         const struct sweep *s)
+{
     const double steps = floor((s->to - s->from) / s->step + 1e-9);
+    struct place seen = *motion;
 
     memset(r, 0, sizeof *r);
     if (!(steps >= 0) || steps >= FREQUENCIES_MOST)
         return reason("from %g to %g Hz in steps of %g Hz is not a range of frequencies", s->from, s->to, s->step);
+    if (motion->on == PLACE_BOTH)
+        place_find(&seen, t, PLACE_LEFT, motion->at, motion->x);
     const int64_t n = (int64_t)steps + 1;
     double *frequency = calloc((size_t)n, 5 * sizeof *frequency);
     if (!frequency)
         return REASON_MEMORY;
     double *exact = frequency + n, *hermite = frequency + 3 * n;
-    snprintf(r->excite, sizeof r->excite, "%s", excites[excite]);
-    snprintf(r->at, sizeof r->at, "%s", ats[at]);
+    name(force, &r->force);
+    name(&seen, &r->motion);
+    r->quantity = quantity;
     r->store = frequency;
-    r->x = p->x;
     r->n = n;
     r->frequency = frequency;
-    r->receptance = exact;
+    r->H = exact;
     r->hermite = hermite;
-    r->hermites = p->compliance[point_rail(excite)] > 0 ? n : 0;
+    r->hermites = place_held(force, &seen, t) > 0 ? n : 0;
     for (int64_t i = 0; i < n; i++)
         frequency[i] = s->from + (double)i * s->step;
-    return solve_all(t, p, excite, n, frequency, hermite, exact);
+    return solve_all(t, force, &seen, quantity, n, frequency, hermite, exact);
 }

@@ -1,11 +1,11 @@
 /* Beam elements between the rail nodes, a spring and damper from each rail to each sleeper (railpad), three from each sleeper to
- * the ground (ballast), lumped masses.  A spring of stiffness k and extension e = d.u gives K += k d d'.
+ * the ground (ballast), masses at the nodes and along the elements.  A spring of stiffness k and extension e = d.u gives K += k d d'.
  *
  * z down, y to the right: the point y of a sleeper goes down by z + y roll. */
 #include "tools/track/assemble.h"
 
 #include "formats/reason.h"
-#include "tools/track/beam.h"
+#include "tools/track/rails.h"
 
 /* The matrix X being filled, on the pattern of the track. */
 struct matrix { const int64_t *Ap, *Ai; double *x; };
@@ -70,17 +70,28 @@ static void fill_pattern(const struct trk *t, int64_t *Ap, int64_t *Ai)
     Ap[column] = p;
 }
 
-static void add_beams(const struct trk *t, const struct matrix *K)
+static void add_element(const struct trk *t, const struct matrix *X, int rail, int64_t i, double x[4][4])
+{
+    const int64_t near = t->node_dof[i] + 2 * rail, far = t->node_dof[i + 1] + 2 * rail;
+    const int64_t dof[4] = {near, near + 1, far, far + 1};
+
+    for (int a = 0; a < 4; a++)
+        for (int b = 0; b < 4; b++)
+            add(X, dof[a], dof[b], x[a][b]);
+}
+
+static void add_beams(const struct trk *t, const struct matrix *K, const struct matrix *M)
 {
     for (int rail = 0; rail < TRK_RAILS; rail++)
         for (int64_t i = 0; i < t->nodes - 1; i++) {
-            const int64_t near = t->node_dof[i] + 2 * rail, far = t->node_dof[i + 1] + 2 * rail;
-            const int64_t dof[4] = {near, near + 1, far, far + 1};
-            double k[4][4];
-            beam_stiffness(t->bending[rail * (t->nodes - 1) + i], t->x[i + 1] - t->x[i], k);
-            for (int a = 0; a < 4; a++)
-                for (int b = 0; b < 4; b++)
-                    add(K, dof[a], dof[b], k[a][b]);
+            const struct beam b = rails_beam(t, rail, i);
+            double x[4][4];
+            beam_stiffness(&b, x);
+            add_element(t, K, rail, i, x);
+            if (b.mass > 0 || b.rotary > 0) {
+                beam_mass(&b, x);
+                add_element(t, M, rail, i, x);
+            }
         }
 }
 
@@ -123,7 +134,7 @@ const char *assemble_track(struct trk *t)
     if (!Ap || !Ai || !K || !C || !M)
         return REASON_MEMORY;
     fill_pattern(t, Ap, Ai);
-    add_beams(t, &(struct matrix){Ap, Ai, K});
+    add_beams(t, &(struct matrix){Ap, Ai, K}, &(struct matrix){Ap, Ai, M});
     add_supports(t, &(struct matrix){Ap, Ai, K}, t->pad_k, t->ballast_k);
     add_supports(t, &(struct matrix){Ap, Ai, C}, t->pad_c, t->ballast_c);
     add_masses(t, &(struct matrix){Ap, Ai, M});

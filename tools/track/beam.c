@@ -1,10 +1,21 @@
-/* Euler-Bernoulli element: exact for loads at its ends; the deflection under a load between them is that of the Hermite
- * polynomials plus that of the element with held ends.  Przemieniecki 1968, Theory of Matrix Structural Analysis. */
+/* Uniform Euler-Bernoulli elements have Hermite's polynomials (Przemieniecki 1968, Theory of Matrix Structural Analysis); all others,
+ * and all masses, are flexure.c's. */
 #include "tools/track/beam.h"
 
-void beam_stiffness(double EI, double L, double K[4][4])
+#include "tools/track/flexure.h"
+
+static int is_hermite(const struct beam *b)
 {
-    const double k = EI / (L * L * L);
+    return b->bending > 0 && b->shear <= 0;
+}
+
+void beam_stiffness(const struct beam *b, double K[4][4])
+{
+    if (!is_hermite(b)) {
+        flexure_stiffness(b, K);
+        return;
+    }
+    const double L = b->length, k = b->bending / (L * L * L);
     const double w = 12 * k, c = 6 * k * L, near = 4 * k * L * L, far = 2 * k * L * L;
     const double value[4][4] = {
         { w,   -c,   -w,   -c},
@@ -17,9 +28,18 @@ void beam_stiffness(double EI, double L, double K[4][4])
             K[i][j] = value[i][j];
 }
 
-void beam_shape(double L, double a, double N[4])
+void beam_mass(const struct beam *b, double M[4][4])
 {
-    const double r = a / L, r2 = r * r, r3 = r2 * r;
+    flexure_mass(b, M);
+}
+
+void beam_shape(const struct beam *b, double a, double N[4])
+{
+    if (!is_hermite(b)) {
+        flexure_shape(b, a, N);
+        return;
+    }
+    const double L = b->length, r = a / L, r2 = r * r, r3 = r2 * r;
 
     N[0] = 1 - 3 * r2 + 2 * r3;
     N[1] = -L * (r - 2 * r2 + r3);
@@ -27,9 +47,13 @@ void beam_shape(double L, double a, double N[4])
     N[3] = -L * (r3 - r2);
 }
 
-void beam_slope(double L, double a, double D[4])
+void beam_slope(const struct beam *b, double a, double D[4])
 {
-    const double r = a / L;
+    if (!is_hermite(b)) {
+        flexure_slope(b, a, D);
+        return;
+    }
+    const double L = b->length, r = a / L;
 
     D[0] = 6 * (r * r - r) / L;
     D[1] = -(1 - 4 * r + 3 * r * r);
@@ -37,9 +61,18 @@ void beam_slope(double L, double a, double D[4])
     D[3] = -(3 * r * r - 2 * r);
 }
 
-double beam_compliance(double EI, double L, double a)
+double beam_compliance(const struct beam *b, double a)
 {
-    const double b = L - a, ab = a * b;
+    const double L = b->length, ab = a * (L - a);
 
-    return ab * ab * ab / (3 * EI * L * L * L);      /* a^3 b^3 / (3 EI L^3) */
+    return is_hermite(b) ? ab * ab * ab / (3 * b->bending * L * L * L)      /* a^3 b^3 / (3 EI L^3) */
+                         : flexure_between(b, a, a);
+}
+
+double beam_between(const struct beam *b, double x, double a)
+{
+    const double L = b->length, behind = L - a;
+
+    return is_hermite(b) ? behind * behind * x * x * (3 * a * L - 3 * a * x - behind * x) / (6 * b->bending * L * L * L)
+                         : flexure_between(b, x, a);
 }

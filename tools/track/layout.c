@@ -1,12 +1,11 @@
-/* Sleepers stand in the middle of equal bays; rail nodes stand on the sleepers and divide the rail between them into equal
- * elements.  The rails end, free, at the outermost sleepers; the half bay beyond is mass at the end nodes, so that a node of a
- * 0.6 m bay carries 36 kg of a 60 kg/m rail also there. */
+/* Sleepers stand in the middle of equal bays, rail nodes on them and between. */
 #include "tools/track/layout.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "formats/reason.h"
+#include "tools/track/rails.h"
 
 static const double WHOLE = 1e-6;      /* length / spacing may differ this much from a whole number */
 
@@ -24,44 +23,6 @@ static double number_at(const struct trk_text *in, double x)
 static double at_station(const struct yaml_table *table, const struct trk_text *in, double x)
 {
     return yaml_table_at(table, x, number_at(in, x));
-}
-
-/* EI of an element with the mean flexibility: L / int dx / EI(x), Gauss with three points. */
-static double bending_of(const struct trk_text *in, double from, double to)
-{
-    static const double at[3] = {-0.774596669241483377, 0, 0.774596669241483377}, weight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
-    double flexibility = 0;
-
-    for (int g = 0; g < 3; g++)
-        flexibility += weight[g] / at_station(&in->rail.bending_stiffness, in, 0.5 * (from + to) + 0.5 * (to - from) * at[g]);
-    return 1 / flexibility;
-}
-
-static const char *lay_rails(struct trk *t, const struct trk_text *in)
-{
-    const int64_t n = t->nodes;
-    const double h = in->sleeper.spacing / (double)in->rail.elements_per_bay;
-    double *x = numbers(t, n), *bending = numbers(t, TRK_RAILS * (n - 1));
-    double *mass = numbers(t, TRK_RAILS * n), *inertia = numbers(t, TRK_RAILS * n);
-
-    if (!x || !bending || !mass || !inertia)
-        return REASON_MEMORY;
-    for (int64_t i = 0; i < n; i++)
-        x[i] = in->from + in->sleeper.spacing / 2 + (double)i * h;
-    for (int64_t i = 0; i < n; i++) {
-        double tributary = i == 0 || i == n - 1 ? (h + in->sleeper.spacing) / 2 : h;
-        for (int r = 0; r < TRK_RAILS; r++) {
-            mass[r * n + i] = in->rail.mass * tributary;
-            inertia[r * n + i] = in->rail.pitch_inertia;
-            if (i < n - 1)
-                bending[r * (n - 1) + i] = bending_of(in, x[i], x[i + 1]);
-        }
-    }
-    t->x = x;
-    t->bending = bending;
-    t->rail_mass = mass;
-    t->rail_inertia = inertia;
-    return NULL;
 }
 
 static const char *lay_sleepers(struct trk *t, const struct trk_text *in)
@@ -248,7 +209,7 @@ const char *layout_track(struct trk *t, const struct trk_text *in)
     t->nodes = (t->sleepers - 1) * in->rail.elements_per_bay + 1;
     if (t->sleepers < 2 || fabs(bays - (double)t->sleepers) > WHOLE)
         return reason("length %g m is not a whole number, two or more, of sleeper spacings of %g m", in->length, in->sleeper.spacing);
-    if ((why = lay_rails(t, in)) || (why = lay_sleepers(t, in)) || (why = lay_ballast(t, in)) || (why = lay_pads(t, in)) ||
+    if ((why = rails_lay(t, in)) || (why = lay_sleepers(t, in)) || (why = lay_ballast(t, in)) || (why = lay_pads(t, in)) ||
         (why = lay_lateral(t, in)) || (why = lay_check_rail(t, in)) || (why = lay_curve(t, in)))
         return why;
     return number_dofs(t);

@@ -1,10 +1,11 @@
-/* Hermite's polynomials carry a force between the nodes to them, and the nodes' motion back; what the element itself gives under
- * the force is its compliance with held ends, which a massless element has at every frequency. */
+/* The element's shapes, Hermite's polynomials where it is uniform without shear, carry a force between the nodes to them, and the nodes'
+ * motion back; what the element itself gives under the force is its compliance with held ends, which a massless element has at every
+ * frequency and one with mass far below the resonance of its held ends. */
 #include "tools/track/point.h"
 
 #include <math.h>
 
-#include "tools/track/beam.h"
+#include "tools/track/rails.h"
 
 double point_station(const struct trk *t, int at, double x)
 {
@@ -26,12 +27,13 @@ void point_at(struct point *p, const struct trk *t, double x)
     x = fmin(fmax(x, t->x[0]), t->x[t->nodes - 1]);
     while (i < t->nodes - 2 && x >= t->x[i + 1])
         i++;
-    const double L = t->x[i + 1] - t->x[i], a = x - t->x[i];
     p->x = x;
     p->node = i;
-    beam_shape(L, a, p->shape);
-    for (int rail = 0; rail < TRK_RAILS; rail++)
-        p->compliance[rail] = beam_compliance(t->bending[rail * (t->nodes - 1) + i], L, a);
+    for (int rail = 0; rail < TRK_RAILS; rail++) {
+        const struct beam b = rails_beam(t, rail, i);
+        beam_shape(&b, x - t->x[i], p->shape[rail]);
+        p->compliance[rail] = beam_compliance(&b, x - t->x[i]);
+    }
 }
 
 void point_dofs(const struct point *p, const struct trk *t, int rail, int64_t dof[4])

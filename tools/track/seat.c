@@ -12,7 +12,7 @@ static void spread(const struct trk *t, const struct point *p, int excite, doubl
         int64_t dof[4];
         point_dofs(p, t, rail, dof);
         for (int k = 0; k < 4 && point_loads(excite, rail); k++)
-            f[dof[k]] += load * p->shape[k];
+            f[dof[k]] += load * p->shape[rail][k];
     }
 }
 
@@ -23,7 +23,7 @@ static void take(struct seat *s, const struct trk *t, const struct point *p, int
     point_dofs(p, t, rail, dof);
     *s = (struct seat){.deflection = load * p->compliance[rail]};
     for (int k = 0; k < 4; k++)
-        s->deflection += p->shape[k] * u[dof[k]];
+        s->deflection += p->shape[rail][k] * u[dof[k]];
     for (int64_t i = 0; i < t->sleepers; i++) {
         double arm = (rail == TRK_LEFT ? -0.5 : 0.5) * t->rail_spacing - t->sleeper_y[i];
         double compression = u[t->node_dof[t->sleeper_node[i]] + 2 * rail] - (u[t->sleeper_dof[i]] + arm * u[t->sleeper_dof[i] + 1]);

@@ -1,0 +1,30 @@
+# Question: what are receptance, modes and static stiffness of the straight track of Table 1 and of a turnout?
+# Figures: receptance above a sleeper and between two, by the thesis' formula and exactly (figure 2 of Lau and Hoff 2018); three modes
+# (figure 3); stiffness along the turnout.  Time: about 2 s on one core, most of it pictures.
+# Headline: peaks at 119, 486 and 907 Hz (out/track/receptance.png); the right rail's stiffness falls from 200 to 147 MN/m.
+K = out/track
+
+track: $(addprefix $K/,receptance.png modes.png stiffness.png)  ## receptance, modes and stiffness of a track, into out/track
+.PHONY: track
+
+$K/straight.trk: data/tracks/thesis-straight.yaml
+$K/turnout.trk: data/tracks/60E1-R760-1-15-diverging.yaml
+
+$K/sleeper.frf $K/midspan.frf: $K/straight.trk
+$K/sleeper.frf: RECEPTANCE = --at sleeper
+$K/midspan.frf: RECEPTANCE = --at midspan
+$K/receptance.png: $K/sleeper.frf $K/midspan.frf
+$K/receptance.png: PLOT = --figure receptance
+
+# The modes in phase that the article names.
+$K/ballast.mod $K/pads.mod $K/bays.mod: $K/straight.trk
+$K/ballast.mod: MODES = 1 --near 129.01
+$K/pads.mod: MODES = 1 --near 505.06
+$K/bays.mod: MODES = 1 --near 825.4
+$K/modes.png: $K/straight.trk $K/ballast.mod $K/pads.mod $K/bays.mod
+$K/modes.png: PLOT = --figure modes
+
+$K/stiffness.txt: $K/turnout.trk $(BIN)/vxfreq
+	$(BIN)/vxfreq --stiffness $< >$@
+$K/stiffness.png: $K/stiffness.txt
+$K/stiffness.png: PLOT = --figure stiffness --from -10 --to 60

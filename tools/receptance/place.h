@@ -1,0 +1,32 @@
+/* Where a force enters a track, or where its motion is read: a rail, both rails alike, or a sleeper.
+ *
+ * x forward, z down; deflection and force are positive down. */
+#ifndef VX_RECEPTANCE_PLACE_H
+#define VX_RECEPTANCE_PLACE_H
+
+#include "formats/trk.h"
+#include "tools/track/point.h"
+
+enum { PLACE_LEFT = EXCITE_LEFT, PLACE_RIGHT = EXCITE_RIGHT, PLACE_BOTH = EXCITE_BOTH, PLACE_SLEEPER };
+enum { AT_STATION = AT_MIDSPAN + 1 };    /* beside AT_SLEEPER and AT_MIDSPAN: there and nowhere else */
+
+struct place {
+    int on, at;
+    double x;                            /* m */
+    struct point point;                  /* of the rails at x */
+    int dofs;
+    int64_t dof[8];                      /* [dofs] that a force here loads, and whose motion is the motion here */
+    double share[8];                     /* [dofs] */
+};
+
+/* The sleeper or the middle between two that is nearest to x, or x itself; a sleeper is loaded at its centre and, whatever `at`
+ * says, is the nearest one.  x beyond an end of the rails is moved onto it. */
+void place_find(struct place *p, const struct trk *t, int on, int at, double x);
+
+/* m/N: what the element gives with held ends at `seen` under a unit force at `force`; 0 where they share no element. */
+double place_held(const struct place *force, const struct place *seen, const struct trk *t);
+
+/* PLACE_LEFT and so on, and AT_SLEEPER and so on, as words. */
+extern const char *const place_on[], *const place_at[];
+
+#endif

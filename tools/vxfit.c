@@ -1,0 +1,174 @@
+/* vxfit: railpads and ballast of a track from a measured receptance.
+ *
+ * In: a .trk to start from, and a table of frequency, real and imaginary part.  Out: the fitted values with their uncertainty as text, and
+ * with -o the fitted .trk.  z down, H = motion over force for exp(+i omega t), SI units. */
+#include "tools/cli/cli.h"
+
+#include <string.h>
+
+#include "formats/columns.h"
+#include "formats/frf.h"
+#include "formats/trk.h"
+#include "tools/receptance/calibrate.h"
+#include "tools/receptance/place.h"
+
+static const char usage[] =
+    "vxfit --measured FILE [--excite left|right|both|sleeper] [--at sleeper|midspan|M] [--x M] [--motion left|right|sleeper] "
+    "[--motion-at sleeper|midspan|M] [--quantity receptance|mobility|accelerance] [--from HZ] [--to HZ] [--fix NAME]... [--bounds LO,HI] "
+    "[-o FILE] TRACK";
+
+static const double NOWHERE = -1e9;
+
+static struct {
+    const char *measured, *at, *motion_at, *bounds, *out;
+    int excite, motion, quantity;
+    double x;                        /* m; NOWHERE is the middle of the track */
+    double from, to;                 /* Hz */
+    double bound[2];                 /* of the factors */
+    struct cli_list fix;
+    int fit[CALIBRATE_N];
+} opt = {.excite = PLACE_BOTH, .motion = -1, .at = "sleeper", .x = -1e9, .to = 1e6, .bound = {0.05, 20}, .fit = {1, 1, 1, 1}};
+
+static const char *const motions[] = {"left", "right", "sleeper", NULL};
+static const char *const quantities[] = {"receptance", "mobility", "accelerance", NULL};
+
+static const struct cli_option options[] = {
+    {.name = "measured", .type = CLI_TEXT, .value = &opt.measured},
+    {.name = "excite", .type = CLI_CHOICE, .value = &opt.excite, .choice = place_on},
+    {.name = "at", .type = CLI_TEXT, .value = &opt.at},
+    {.name = "x", .letter = 1, .type = CLI_NUM, .value = &opt.x, .lo = -1e6, .hi = 1e6},
+    {.name = "motion", .type = CLI_CHOICE, .value = &opt.motion, .choice = motions},
+    {.name = "motion-at", .type = CLI_TEXT, .value = &opt.motion_at},
+    {.name = "quantity", .type = CLI_CHOICE, .value = &opt.quantity, .choice = quantities},
+    {.name = "from", .type = CLI_NUM, .value = &opt.from, .lo = 0, .hi = 1e6},
+    {.name = "to", .type = CLI_NUM, .value = &opt.to, .lo = 0, .hi = 1e6},
+    {.name = "fix", .type = CLI_LIST, .value = &opt.fix},
+    {.name = "bounds", .type = CLI_TEXT, .value = &opt.bounds},
+    {.name = "o", .type = CLI_TEXT, .value = &opt.out},
+    {0},
+};
+
+static const struct cli_program program = {
+    .name = "vxfit",
+    .purpose = "Find the stiffness and damping of a track's railpads and ballast from a measured receptance.",
+    .usage = usage,
+    .option = options,
+};
+
+static const char *parse(int argc, char **argv)
+{
+    int n, left = CALIBRATE_N;
+    char **operand = cli_begin(&program, argc, argv, 1, 1, &n);
+
+    if (!opt.measured)
+        cli_misuse("--measured is wanted: a table of frequency, real and imaginary part");
+    if (opt.bounds && cli_numbers("bounds", opt.bounds, 1e-6, 1e6, opt.bound, 2) != 2)
+        cli_misuse("--bounds wants two factors, not \"%s\"", opt.bounds);
+    if (opt.bound[0] > 1 || opt.bound[1] < 1)
+        cli_misuse("--bounds must hold 1, where the fit begins");
+    for (int k = 0; k < opt.fix.n; k++) {
+        int p = 0;
+        while (calibrate_name[p] && strcmp(opt.fix.item[k], calibrate_name[p]))
+            p++;
+        if (p == CALIBRATE_N)
+            cli_misuse("--fix must be railpad_stiffness, railpad_damping, ballast_stiffness or ballast_damping, not \"%s\"", opt.fix.item[k]);
+        left -= opt.fit[p];
+        opt.fit[p] = 0;
+    }
+    if (left == 0)
+        cli_misuse("nothing is left to fit");
+    return operand[0];
+}
+
+/* The place that an option names on a rail or a sleeper: a station, or the sleeper or bay nearest to --x. */
+static struct place locate(const struct trk *t, int on, const char *option, const char *text)
+{
+    double x = opt.x > NOWHERE ? opt.x : 0.5 * (t->x[0] + t->x[t->nodes - 1]);
+    int at = AT_SLEEPER;
+    struct place p;
+
+    while (at < AT_STATION && strcmp(text, place_at[at]) != 0)
+        at++;
+    if (at == AT_STATION)
+        cli_numbers(option, text, t->x[0], t->x[t->nodes - 1], &x, 1);
+    place_find(&p, t, on, at, x);
+    return p;
+}
+
+/* The rows of the table from --from to --to, at the places that the options name on t. */
+static struct measured choose(const struct columns *table, const struct trk *t)
+{
+    static const int on[] = {PLACE_LEFT, PLACE_RIGHT, PLACE_SLEEPER};
+    const int seen = opt.motion >= 0 ? on[opt.motion] : opt.excite == PLACE_BOTH ? PLACE_LEFT : opt.excite;
+    struct measured m = {.quantity = opt.quantity};
+    int64_t first = 0;
+
+    if (table->n < 3 || columns_find(table, "frequency") != 0)
+        cli_die("%s: three columns are wanted, frequency, real and imaginary part", opt.measured);
+    for (int64_t i = 0; i < table->rows; i++)
+        if (!(table->value[0][i] > (i ? table->value[0][i - 1] : 0)))
+            cli_die("%s: the frequency of row %lld is not above the one before it", opt.measured, (long long)i + 1);
+    while (first < table->rows && table->value[0][first] < opt.from)
+        first++;
+    while (first + m.n < table->rows && table->value[0][first + m.n] <= opt.to)
+        m.n++;
+    m.frequency = table->value[0] + first;
+    m.re = table->value[1] + first;
+    m.im = table->value[2] + first;
+    m.force = locate(t, opt.excite, "at", opt.at);
+    m.motion = locate(t, seen, opt.motion_at ? "motion-at" : "at", opt.motion_at ? opt.motion_at : opt.at);
+    return m;
+}
+
+static void print(const struct calibration *c, const struct trk *t, int64_t n)
+{
+    static const char *const unit[CALIBRATE_N] = {"N/m", "Ns/m", "N/m", "Ns/m"};
+    double value[CALIBRATE_N];
+
+    calibrate_values(t, value);
+    printf("# %lld frequencies, %lld steps; rms of |ln(H / measured)| %.4g, at the start %.4g\n", (long long)n, (long long)c->steps, c->after,
+           c->before);
+    printf("%-18s %5s %12s %12s %12s %10s %s\n", "parameter", "unit", "start", "fitted", "uncertainty", "factor", "state");
+    for (int p = 0; p < CALIBRATE_N; p++) {
+        const char *state = !opt.fit[p] ? "fixed" : c->bound[p] < 0 ? "lower" : c->bound[p] > 0 ? "upper" : "free";
+        const double fitted = c->factor[p] * value[p];
+        printf("%-18s %5s %12.5g %12.5g %12.3g %10.5f %s\n", calibrate_name[p], unit[p], value[p], fitted, c->uncertainty[p] * fitted,
+               c->factor[p], state);
+    }
+}
+
+static void write_track(const struct vxf *f, const struct trk *t, const double *factor, const char *name)
+{
+    struct vxf_out o;
+    struct trk fitted;
+
+    cli_check(name, calibrate_apply(&fitted, t, factor));
+    vxf_out_begin(&o, "trk");
+    vxf_put_input(&o, f);
+    cli_check(name, trk_put(&fitted, &o));
+    cli_write(&o, opt.out);
+    vxf_out_free(&o);
+    trk_free(&fitted);
+}
+
+int main(int argc, char **argv)
+{
+    const char *path = parse(argc, argv), *name = strcmp(path, "-") ? path : "standard input";
+    struct calibration c;
+    struct columns table;
+    struct trk t;
+    struct vxf f;
+
+    cli_check(opt.measured, columns_read(&table, opt.measured));
+    cli_open(&f, path, NULL);
+    cli_check(name, trk_read(&t, &f));
+    const struct measured m = choose(&table, &t);
+    cli_check(opt.measured, calibrate_track(&c, &t, &m, opt.fit, opt.bound[0], opt.bound[1]));
+    if (opt.out)
+        write_track(&f, &t, c.factor, name);
+    print(&c, &t, m.n);
+    trk_free(&t);
+    columns_free(&table);
+    vxf_close(&f);
+    return cli_end();
+}
