@@ -265,7 +265,7 @@ static void blend(const struct ctab *t, const struct cell *c, const struct branc
     o->height = h * per_W;
     o->height_s = (h_s - o->height * W_s) * per_W;
     o->height_yaw = o->row[CTAB_HEIGHT_YAW] - o->height_s * t->wheel_position;
-    if (b->held != c->in || c->beyond)                            /* x holds -y tan(yaw), of the mean yaw of the corners held */
+    if (b->held != c->in || c->beyond != 0)                         /* x holds -y tan(yaw), of the mean yaw of the corners held */
         o->row[CTAB_X] -= t->wheel_position * mean_off(c, b, share);
     o->row[CTAB_BODY] = t->row[b->row[held] * CTAB_N + CTAB_BODY];
 }
