@@ -156,12 +156,23 @@ static const char *check_zone(const struct trk_text_zone *z, int64_t number)
 {
     if (strlen(z->name) >= sizeof *((struct trk *)NULL)->zone_name)
         return reason("zone.%lld.name: \"%s\" is longer than 31 letters", (long long)number, z->name);
+    if (z->sleepers.n == 0)
+        return reason("zone.%lld.sleepers: no sleeper, one range [first, last] at least is wanted", (long long)number);
     for (int64_t i = 0; i < z->sleepers.n; i += 2) {
         double first = z->sleepers.x[i], last = z->sleepers.x[i + 1];
         if (floor(first) < first || floor(last) < last || last < first)
             return reason("zone.%lld.sleepers: [%g, %g] must be two whole numbers, the first not above the last", (long long)number,
                           first, last);
     }
+    return NULL;
+}
+
+/* Zones are told apart by name, in plots and tables of results too. */
+static const char *check_zone_name(const struct trk_text_zone *z, int64_t k)
+{
+    for (int64_t i = 0; i < k; i++)
+        if (strcmp(z[i].name, z[k].name) == 0)
+            return reason("zone.%lld.name: \"%s\" is the name of zone.%lld already", (long long)k + 1, z[k].name, (long long)i + 1);
     return NULL;
 }
 
@@ -186,7 +197,7 @@ static const char *check(const struct trk_text *in)
     if ((why = check_rail(&in->rail)) || (why = check_curve(&in->curve)) || (why = check_check_rail(&in->check_rail)))
         return why;
     for (int64_t k = 0; k < in->zone.n; k++)
-        if ((why = check_zone(&z[k], k + 1)))
+        if ((why = check_zone(&z[k], k + 1)) || (why = check_zone_name(z, k)))
             return why;
     return NULL;
 }
