@@ -43,6 +43,17 @@ for f in $turnout data/tracks/60E1-R760-1-15-through.yaml; do
 	ok $? "$f builds with 254 sleepers"
 done
 
+$bin/vxtrack -o "$tmp/mass.trk" data/tracks/moving-mass.yaml && $bin/vxinfo "$tmp/mass.trk" | grep -q 'A.p  *i64  *7 '
+ok $? "a moving mass builds, with six degrees of freedom"
+$bin/vxfreq --receptance --peaks "$tmp/mass.trk" | awk '/^peak/ { f[++n] = $2 }
+	END { exit !(n == 2 && f[1] > 118.3 && f[1] < 120.3 && f[2] > 482 && f[2] < 485) }'
+ok $? "its receptance peaks at 119 and 483 Hz, and nowhere else"
+$bin/vxtrack --set model=moving_mass --set length=0.6 $track | $bin/vxfreq --modes 3 --text - | grep -q '^1  124.4820 '
+ok $? "the straight track's input makes one too"
+refuses 1 "midspan: a moving mass has no span" "halfway between its sleepers" $bin/vxfreq --receptance --at midspan "$tmp/mass.trk"
+refuses 1 "which a moving mass has" "a moving mass of two bays" $bin/vxtrack --set length=1.2 data/tracks/moving-mass.yaml
+refuses 1 "held is for model: moving_mass alone" "sleepers held in roll under a fixed track" $bin/vxtrack --set sleeper.roll=held $track
+
 # The table of the page is the schema's: every key is there with its unit and default.
 $bin/vxtrack --schema | awk -F'\t' 'NR > 1 { printf ".It %s Ta %s Ta %s Ta %s\n", $1, $3, $5, $6 }' >"$tmp/rows"
 grep '^\.It .* Ta ' man/track-input.5 | grep -v '^.It Sy' | cmp -s - "$tmp/rows"

@@ -39,7 +39,7 @@ static const char *lay_sleepers(struct trk *t, const struct trk_text *in)
         x[k] = t->x[node[k]];
         number[k] = (int64_t)floor(number_at(in, x[0]) + 0.5 + WHOLE) + k;
         mass[k] = at_station(&in->sleeper.mass, in, x[k]);
-        inertia[k] = at_station(&in->sleeper.roll_inertia, in, x[k]);
+        inertia[k] = in->sleeper.roll == TRK_TEXT_HELD ? 0 : at_station(&in->sleeper.roll_inertia, in, x[k]);
         y[k] = at_station(&in->sleeper.centre, in, x[k]);
     }
     t->sleeper_x = x;
@@ -66,6 +66,14 @@ static const char *check_centres(const struct trk *t, const struct trk_text *in)
     return NULL;
 }
 
+/* What a spring takes of the total: a third, or of a moving mass, which stands on the outer two, a half. */
+static double ballast_part(const struct trk_text *in, int spring, double total)
+{
+    if (in->model == TRK_TEXT_MOVING_MASS)
+        return spring == 1 ? 0 : total / 2;
+    return total / TRK_BALLAST;
+}
+
 static const char *lay_ballast(struct trk *t, const struct trk_text *in)
 {
     const int64_t n = t->sleepers;
@@ -79,8 +87,8 @@ static const char *lay_ballast(struct trk *t, const struct trk_text *in)
             return reason("ballast.edge: sleeper %lld of length %g m is too short for springs %g m from its ends",
                           (long long)t->sleeper_number[s], length, in->ballast.edge);
         for (int b = 0; b < TRK_BALLAST; b++) {
-            k[b * n + s] = at_station(&in->ballast.stiffness, in, x) / TRK_BALLAST;
-            c[b * n + s] = at_station(&in->ballast.damping, in, x) / TRK_BALLAST;
+            k[b * n + s] = ballast_part(in, b, at_station(&in->ballast.stiffness, in, x));
+            c[b * n + s] = ballast_part(in, b, at_station(&in->ballast.damping, in, x));
             y[b * n + s] = (b - 1) * arm;
         }
     }
@@ -180,7 +188,9 @@ const char *layout_track(struct trk *t, const struct trk_text *in)
     t->rail_spacing = in->rail_spacing;
     t->sleepers = (int64_t)floor(bays + 0.5);
     t->nodes = (t->sleepers - 1) * in->rail.elements_per_bay + 1;
-    if (t->sleepers < 2 || fabs(bays - (double)t->sleepers) > WHOLE)
+    if (in->model == TRK_TEXT_MOVING_MASS && fabs(bays - 1) > WHOLE)
+        return reason("length: %g m is not the sleeper spacing of %g m, which a moving mass has", in->length, in->sleeper.spacing);
+    if (in->model == TRK_TEXT_FIXED && (t->sleepers < 2 || fabs(bays - (double)t->sleepers) > WHOLE))
         return reason("length: %g m is not a whole number, two or more, of sleeper spacings of %g m", in->length, in->sleeper.spacing);
     if ((why = rails_lay(t, in)) || (why = lay_sleepers(t, in)) || (why = check_centres(t, in)) || (why = lay_ballast(t, in)) || (why = pads_lay(t, in)) ||
         (why = lay_lateral(t, in)) || (why = lay_check_rail(t, in)) || (why = lay_curve(t, in)))
