@@ -3,7 +3,10 @@
  * Track axes: x forward (station s), y to the right, z down, roll about x, pitch about y, right-hand rule.  A rail node has
  * deflection w (down) and pitch t = -dw/dx; a sleeper has z and roll.  Degrees of freedom are ordered by node and bay,
  * [wl tl wr tr] at a rail node, then [z roll] of the sleeper where there is one, which gives half bandwidth 7 with one
- * element a bay. */
+ * element a bay.
+ *
+ * A moving mass, the track of one wheelset, is one sleeper and one node: its pitch, and its roll where sleeper_inertia is 0, are held,
+ * alone in their rows with a natural frequency of 1 MHz. */
 #ifndef VX_FORMATS_TRK_H
 #define VX_FORMATS_TRK_H
 
@@ -34,12 +37,12 @@ struct trk {
     const int64_t *sleeper_node;       /* [sleepers] the rail node above it */
     const int64_t *sleeper_number;     /* [sleepers] 1 is the first of the turnout; run-in counts down from 0 */
     const double *sleeper_mass;        /* kg [sleepers] */
-    const double *sleeper_inertia;     /* kg m2 [sleepers] in roll */
+    const double *sleeper_inertia;     /* kg m2 [sleepers] in roll; 0: held, of a moving mass */
     const double *sleeper_y;           /* m [sleepers] lateral position of its centre */
     const double *pad_k, *pad_c;       /* N/m, N s/m [2][sleepers] */
     const double *ballast_k, *ballast_c; /* N/m, N s/m [3][sleepers] left, middle, right */
     const double *ballast_y;           /* m [3][sleepers] from the sleeper's centre */
-    const double *lateral_m;           /* kg [1] of each rail moving sideways with a wheel */
+    const double *lateral_m;           /* kg [1] of each rail moving sideways with a wheel, or of a moving mass with a wheelset */
     const double *lateral_k, *lateral_c; /* N/m, N s/m [1] between it and the ground; k = 0: rails that do not yield sideways */
     const int64_t *check_rail;         /* [1] side of the check rail, TRK_LEFT or TRK_RIGHT */
     const double *check_k, *check_c;   /* N/m, N s/m [1] lateral, against the ground */

@@ -48,7 +48,7 @@ static const char *check_numbers(const struct trk *t)
            (why = at_least("rail.density", t->rail_density, TRK_RAILS * (n - 1), 0, 1)) ||
            (why = at_least("rail.rotary", t->rail_rotary, TRK_RAILS * (n - 1), 0, 1)) ||
            (why = at_least("sleeper.mass", t->sleeper_mass, s, 0, 0)) ||
-           (why = at_least("sleeper.inertia", t->sleeper_inertia, s, 0, 0)) ||
+           (why = at_least("sleeper.inertia", t->sleeper_inertia, s, 0, n == 1)) ||
            (why = at_least("pad.k", t->pad_k, TRK_RAILS * s, 0, 1)) ||
            (why = at_least("pad.c", t->pad_c, TRK_RAILS * s, 0, 1)) ||
            (why = at_least("ballast.k", t->ballast_k, TRK_BALLAST * s, 0, 1)) ||
@@ -151,8 +151,8 @@ const char *trk_check(const struct trk *t, int64_t entries)
 {
     const char *why;
 
-    if (t->nodes < 2 || t->sleepers < 1)
-        return reason("a track needs two rail nodes and a sleeper; here are %lld and %lld", (long long)t->nodes,
+    if (t->sleepers < 1 || t->nodes < t->sleepers)
+        return reason("a track needs a sleeper and a rail node on each; here are %lld nodes and %lld sleepers", (long long)t->nodes,
                       (long long)t->sleepers);
     if (t->knots < 1)
         return "array bending.x: no knot, one at least is wanted";

@@ -9,6 +9,8 @@
 
 #define AT(type, member) offsetof(struct type, member)
 
+static const char *const MODELS[] = {"fixed", "moving_mass", NULL};
+static const char *const ROLLS[] = {"free", "held", NULL};
 static const char *const MASS_MODELS[] = {"lumped", "consistent", NULL};
 static const char *const BEAMS[] = {"euler", "timoshenko", NULL};
 static const char *const SIDES[] = {"left", "right", NULL};
@@ -46,7 +48,7 @@ static const struct yaml_field RAIL_FIELDS[] = {
     {"left", YAML_MAP, AT(trk_text_rail, left), 0, 0, "", YAML_ABSENT, "what is different in the left rail", &OWN, NULL},
     {"right", YAML_MAP, AT(trk_text_rail, right), 0, 0, "", YAML_ABSENT, "what is different in the right rail", &OWN, NULL},
     {"lateral", YAML_MAP, AT(trk_text_rail, lateral), 0, 0, "", YAML_ABSENT,
-     "each rail yields sideways under each wheel by itself; absent: not at all", &LATERAL, NULL},
+     "each rail yields sideways under each wheel by itself, a moving mass as one; absent: not at all", &LATERAL, NULL},
     {0}};
 
 static const struct yaml_field SLEEPER_FIELDS[] = {
@@ -54,6 +56,7 @@ static const struct yaml_field SLEEPER_FIELDS[] = {
     {"mass", YAML_TABLE, AT(trk_text_sleeper, mass), YAML_POSITIVE, 1e6, "kg", NULL, "of each sleeper", NULL, NULL},
     {"roll_inertia", YAML_TABLE, AT(trk_text_sleeper, roll_inertia), YAML_POSITIVE, 1e7, "kg m2", NULL,
      "about the track's direction, through the sleeper's centre", NULL, NULL},
+    {"roll", YAML_CHOICE, AT(trk_text_sleeper, roll), 0, 0, "", "free", "whether it rolls; that of a moving mass may be held", NULL, ROLLS},
     {"length", YAML_TABLE, AT(trk_text_sleeper, length), 0.1, 20, "m", NULL, "across the track", NULL, NULL},
     {"centre", YAML_TABLE, AT(trk_text_sleeper, centre), -10, 10, "m", "0", "lateral position of its centre, right of the track's",
      NULL, NULL},
@@ -68,8 +71,8 @@ static const struct yaml_field PAD_FIELDS[] = {
 
 static const struct yaml_field BALLAST_FIELDS[] = {
     {"stiffness", YAML_TABLE, AT(trk_text_ballast, stiffness), YAML_POSITIVE, 1e12, "N/m", NULL,
-     "of a whole sleeper; left, middle and right each take a third", NULL, NULL},
-    {"damping", YAML_TABLE, AT(trk_text_ballast, damping), 0, 1e9, "N s/m", NULL, "of a whole sleeper, in thirds", NULL, NULL},
+     "of a whole sleeper; left, middle and right each take a third, of a moving mass left and right a half", NULL, NULL},
+    {"damping", YAML_TABLE, AT(trk_text_ballast, damping), 0, 1e9, "N s/m", NULL, "of a whole sleeper, likewise", NULL, NULL},
     {"edge", YAML_NUM, AT(trk_text_ballast, edge), 0, 10, "m", "0.35", "outer springs, from the ends of the sleeper", NULL, NULL},
     {0}};
 
@@ -113,8 +116,10 @@ static const struct yaml_schema ZONE = {"zone", sizeof(struct trk_text_zone), ZO
 
 static const struct yaml_field TRACK_FIELDS[] = {
     {"name", YAML_TEXT, AT(trk_text, name), 0, 0, "", NULL, "of the track, up to 63 letters", NULL, NULL},
+    {"model", YAML_CHOICE, AT(trk_text, model), 0, 0, "", "fixed", "fixed in space, or one sleeper and its rails that follow a wheelset", NULL,
+     MODELS},
     {"from", YAML_NUM, AT(trk_text, from), -1e6, 1e6, "m", NULL, "station where the bay of the first sleeper begins", NULL, NULL},
-    {"length", YAML_NUM, AT(trk_text, length), YAML_POSITIVE, 1e5, "m", NULL, "a whole number of sleeper spacings", NULL, NULL},
+    {"length", YAML_NUM, AT(trk_text, length), YAML_POSITIVE, 1e5, "m", NULL, "a whole number of sleeper spacings; of a moving mass one", NULL, NULL},
     {"first_sleeper", YAML_NUM, AT(trk_text, first_sleeper), -1e6, 1e6, "m", "0", "station where the bay of sleeper number 1 begins",
      NULL, NULL},
     {"rail_spacing", YAML_NUM, AT(trk_text, rail_spacing), 0.1, 10, "m", "1.5", "between the contact lines", NULL, NULL},
@@ -156,12 +161,23 @@ static const char *check_zone(const struct trk_text_zone *z, int64_t number)
 {
     if (strlen(z->name) >= sizeof *((struct trk *)NULL)->zone_name)
         return reason("zone.%lld.name: \"%s\" is longer than 31 letters", (long long)number, z->name);
+    if (z->sleepers.n == 0)
+        return reason("zone.%lld.sleepers: no sleeper, one range [first, last] at least is wanted", (long long)number);
     for (int64_t i = 0; i < z->sleepers.n; i += 2) {
         double first = z->sleepers.x[i], last = z->sleepers.x[i + 1];
         if (floor(first) < first || floor(last) < last || last < first)
             return reason("zone.%lld.sleepers: [%g, %g] must be two whole numbers, the first not above the last", (long long)number,
                           first, last);
     }
+    return NULL;
+}
+
+/* Zones are told apart by name, in plots and tables of results too. */
+static const char *check_zone_name(const struct trk_text_zone *z, int64_t k)
+{
+    for (int64_t i = 0; i < k; i++)
+        if (strcmp(z[i].name, z[k].name) == 0)
+            return reason("zone.%lld.name: \"%s\" is the name of zone.%lld already", (long long)k + 1, z[k].name, (long long)i + 1);
     return NULL;
 }
 
@@ -183,10 +199,13 @@ static const char *check(const struct trk_text *in)
 
     if (strlen(in->name) >= sizeof ((struct trk *)NULL)->name)
         return reason("name: \"%s\" is longer than 63 letters", in->name);
-    if ((why = check_rail(&in->rail)) || (why = check_curve(&in->curve)) || (why = check_check_rail(&in->check_rail)))
+    if (in->sleeper.roll == TRK_TEXT_HELD && in->model != TRK_TEXT_MOVING_MASS)
+        return "sleeper.roll: held is for model: moving_mass alone";
+    if ((in->model == TRK_TEXT_FIXED && (why = check_rail(&in->rail))) || (why = check_curve(&in->curve)) ||
+        (why = check_check_rail(&in->check_rail)))
         return why;
     for (int64_t k = 0; k < in->zone.n; k++)
-        if ((why = check_zone(&z[k], k + 1)))
+        if ((why = check_zone(&z[k], k + 1)) || (why = check_zone_name(z, k)))
             return why;
     return NULL;
 }

@@ -6,6 +6,8 @@
 
 #include "formats/yaml.h"
 
+enum { TRK_TEXT_FIXED, TRK_TEXT_MOVING_MASS };           /* model */
+enum { TRK_TEXT_FREE, TRK_TEXT_HELD };                   /* sleeper.roll */
 enum { TRK_TEXT_LUMPED, TRK_TEXT_CONSISTENT };           /* rail.mass_model */
 enum { TRK_TEXT_EULER, TRK_TEXT_TIMOSHENKO };            /* rail.beam */
 enum { TRK_TEXT_LEFT, TRK_TEXT_RIGHT, TRK_TEXT_BOTH };   /* zone.rail */
@@ -33,6 +35,7 @@ struct trk_text_sleeper {
     struct yaml_table roll_inertia;       /* kg m2 */
     struct yaml_table length;             /* m */
     struct yaml_table centre;             /* m, lateral, from the track's centre line */
+    int roll;                             /* TRK_TEXT_FREE, ... */
     double pitch_inertia;                 /* kg m2, not used by a vertical track */
 };
 
@@ -62,6 +65,7 @@ struct trk_text_zone {
 
 struct trk_text {
     char *name;
+    int model;                            /* TRK_TEXT_FIXED, ... */
     double from, length;                  /* m */
     double first_sleeper;                 /* m, station where the bay of sleeper 1 begins */
     double rail_spacing;                  /* m */

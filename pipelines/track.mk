@@ -1,10 +1,10 @@
 # Question: what are receptance, modes and static stiffness of the straight track of Table 1 and of a turnout?
 # Figures: receptance above a sleeper and between two, by the thesis' formula and exactly (figure 2 of Lau and Hoff 2018); three modes
-# (figure 3); stiffness along the turnout.  Time: about 2 s on one core, most of it pictures.
+# (figure 3); a moving mass beside them (figure 4); stiffness along the turnout.  Time: about 2 s on one core, most of it pictures.
 # Headline: peaks at 119, 486 and 907 Hz (out/track/receptance.png); the right rail's stiffness falls from 200 to 147 MN/m.
 K = out/track
 
-track: $(addprefix $K/,receptance.png modes.png stiffness.png)  ## receptance, modes and stiffness of a track, into out/track
+track: $(addprefix $K/,receptance.png moving-mass.png modes.png stiffness.png)  ## receptance, modes and stiffness of a track, into out/track
 .PHONY: track
 
 $K/straight.trk: data/tracks/thesis-straight.yaml
@@ -15,6 +15,13 @@ $K/sleeper.frf: RECEPTANCE = --at sleeper
 $K/midspan.frf: RECEPTANCE = --at midspan
 $K/receptance.png: $K/sleeper.frf $K/midspan.frf
 $K/receptance.png: PLOT = --figure receptance
+
+# Both rails loaded.
+$K/moving-mass.trk: data/tracks/moving-mass.yaml
+$K/mass.frf: $K/moving-mass.trk
+$K/mass.frf: RECEPTANCE = --at sleeper
+$K/moving-mass.png: $K/sleeper.frf $K/mass.frf
+$K/moving-mass.png: PLOT = --figure receptance --label "beam" --label "moving mass"
 
 # The modes in phase that the article names.
 $K/ballast.mod $K/pads.mod $K/bays.mod: $K/straight.trk

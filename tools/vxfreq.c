@@ -118,6 +118,8 @@ static struct place locate(const struct trk *t, int on, const char *option, cons
 
     while (at < AT_STATION && strcmp(text, place_at[at]) != 0)
         at++;
+    if (at == AT_MIDSPAN && t->sleepers == 1)
+        cli_die("--%s midspan: a moving mass has no span", option);
     if (at == AT_STATION)
         cli_numbers(option, text, t->x[0], t->x[t->nodes - 1], &x, 1);
     place_find(&p, t, on, at, x);

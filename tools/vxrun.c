@@ -107,11 +107,13 @@ static void check_side(const char *path, const struct ctab *t, char side)
         cli_die("%s: is of side %c, but %s wants side %c", path, t->side, side == 'l' ? "--contact-left" : "--contact-right", side);
 }
 
-/* A track has no name of its route; one without a curve is not that of a diverging route. */
-static void check_route(const char *path, const struct case_text *c, const struct trk *t)
+/* A track has no name of its route; one without a curve is not that of a diverging route.  One node is a moving mass. */
+static void check_track(const char *path, const struct case_text *c, const struct trk *t)
 {
     int curved = 0;
 
+    if (t->nodes == 1)
+        cli_die("%s: a moving-mass track has receptance, modes and statics; a train wants model: fixed", path);
     for (int64_t i = 0; i < t->curves; i++)
         curved |= fabs(t->curvature[i]) > 0;
     if (c->route == CASE_DIVERGING && !curved)
@@ -138,7 +140,7 @@ static void read_inputs(struct inputs *in, const char *path)
     cli_check(name[3], ctab_read(&in->table[1], &in->file[3]));
     check_side(name[2], &in->table[0], 'l');
     check_side(name[3], &in->table[1], 'r');
-    check_route(name[0], c, &in->track);
+    check_track(name[0], c, &in->track);
     for (int i = 0; i < 4; i++)
         free(name[i]);
 }

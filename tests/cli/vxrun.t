@@ -87,6 +87,8 @@ refuses 1 "at least\|>= 1" "no speed" --set speed_kmh=0 "$plain"
 refuses 1 "one of explicit" "a scheme that is not built" --set scheme=newmark "$plain"
 refuses 1 "one of facing" "a direction that is not built" --set direction=trailing "$plain"
 refuses 1 "a .veh file where a .trk file is wanted" "the wrong kind" --track "$dir/coach.veh" "$plain"
+vxtrack -o "$dir/mass.trk" data/tracks/moving-mass.yaml
+refuses 1 "a moving-mass track has receptance, modes and statics" "a moving mass" --track "$dir/mass.trk" "$plain"
 refuses 1 "a .ctab file where a .veh file is wanted" "another" --vehicle "$dir/l.ctab" "$plain"
 refuses 1 "the route is diverging, but this track has no curve" "a straight track for the diverging route" --set route=diverging "$plain"
 refuses 1 "r.ctab: is of side r, but --contact-left wants side l" "a table of the other side" --contact-left "$dir/r.ctab" "$plain"

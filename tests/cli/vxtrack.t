@@ -43,6 +43,17 @@ for f in $turnout data/tracks/60E1-R760-1-15-through.yaml; do
 	ok $? "$f builds with 254 sleepers"
 done
 
+$bin/vxtrack -o "$tmp/mass.trk" data/tracks/moving-mass.yaml && $bin/vxinfo "$tmp/mass.trk" | grep -q 'A.p  *i64  *7 '
+ok $? "a moving mass builds, with six degrees of freedom"
+$bin/vxfreq --receptance --peaks "$tmp/mass.trk" | awk '/^peak/ { f[++n] = $2 }
+	END { exit !(n == 2 && f[1] > 118.3 && f[1] < 120.3 && f[2] > 482 && f[2] < 485) }'
+ok $? "its receptance peaks at 119 and 483 Hz, and nowhere else"
+$bin/vxtrack --set model=moving_mass --set length=0.6 $track | $bin/vxfreq --modes 3 --text - | grep -q '^1  124.4820 '
+ok $? "the straight track's input makes one too"
+refuses 1 "midspan: a moving mass has no span" "halfway between its sleepers" $bin/vxfreq --receptance --at midspan "$tmp/mass.trk"
+refuses 1 "which a moving mass has" "a moving mass of two bays" $bin/vxtrack --set length=1.2 data/tracks/moving-mass.yaml
+refuses 1 "held is for model: moving_mass alone" "sleepers held in roll under a fixed track" $bin/vxtrack --set sleeper.roll=held $track
+
 # The table of the page is the schema's: every key is there with its unit and default.
 $bin/vxtrack --schema | awk -F'\t' 'NR > 1 { printf ".It %s Ta %s Ta %s Ta %s\n", $1, $3, $5, $6 }' >"$tmp/rows"
 grep '^\.It .* Ta ' man/track-input.5 | grep -v '^.It Sy' | cmp -s - "$tmp/rows"
@@ -110,6 +121,78 @@ refuses 1 "two zones" "a railpad in two zones" $bin/vxtrack --set zone.1.sleeper
 refuses 1 "whole numbers" "a range that runs backwards" $bin/vxtrack --set zone.1.sleepers='[[20, 1]]' $turnout
 refuses 1 "longer than 31" "a long name" $bin/vxtrack --set zone.1.name=a-name-of-more-than-thirty-one-letters $turnout
 refuses 1 "beyond" "a curve that runs backwards" $bin/vxtrack --set curve.2.from=-1 $turnout
+
+# A turnout with nonsense in it, by --set: the line names the key and the rule.  KEY=VALUE | what the line must hold
+while IFS='|' read -r set word; do
+	refuses 1 "$word" "refused: $set" $bin/vxtrack --set "$set" $turnout
+done <<'EOF'
+railpad.stiffness=-300e6|railpad.stiffness=-300e6: error: stiffness must be greater than 0
+railpad.damping=-1|damping must be at least 0
+ballast.stiffness=0|stiffness must be greater than 0
+ballast.damping=-1|damping must be at least 0
+rail.bending_stiffness={station: [0, 1], value: [6e6, 0]}|bending_stiffness must be greater than 0
+rail.right.bending_stiffness=-6e6|bending_stiffness must be greater than 0
+rail.lateral.stiffness=-1|stiffness must be greater than 0
+rail.lateral.mass=0|mass must be greater than 0
+rail.pitch_inertia=0|pitch_inertia must be greater than 0
+rail.mass=nan|mass: "nan" is not a plain number
+rail.elements_per_bay=21|elements_per_bay must be at least 1 and at most 20, not 21
+sleeper.mass=0|mass must be greater than 0
+sleeper.mass={number: [1, 92], value: [380, 0]}|mass must be greater than 0
+sleeper.roll_inertia=0|roll_inertia must be greater than 0
+sleeper.length=-2.6|length must be at least 0.1
+sleeper.spacing=0|spacing must be at least 0.1
+sleeper.centre=0.7|sleeper.centre: the left rail, 1.45 m beside the middle of sleeper -144, is beyond its end at 1.3 m
+sleeper.centre={number: [40, 41, 42], value: [0, -1, 0]}|sleeper.centre: the right rail, 1.75 m beside the middle of sleeper 41
+rail_spacing=2.7|sleeper.centre: the left rail, 1.35 m beside the middle of sleeper -144
+ballast.edge=1.3|ballast.edge: sleeper -144 of length 2.6 m is too short
+zone.1.sleepers=[[500, 520]]|zone.1.sleepers: \[500, 520\] is not within the track, sleepers -144 to 109
+zone.3.sleepers=[[70, 110]]|zone.3.sleepers: \[70, 110\] is not within
+zone.1.sleepers=[[-145, 20]]|zone.1.sleepers: \[-145, 20\] is not within
+zone.1.sleepers=[]|zone.1.sleepers: no sleeper
+zone.1.sleepers=[1, 20]|sleepers: a pair
+zone.1.sleepers=[[1, 21]]|zone.2.sleepers: the left railpad of sleeper 21 is in two zones, switch and closure
+zone.4.rail=both|zone.4.sleepers: the left railpad of sleeper 70 is in two zones, crossing and crossing-other-rail
+zone.1.sleepers=[[1, 20], [15, 20]]|zone.1.sleepers: the left railpad of sleeper 15 stands twice
+zone.2.name=switch|zone.2.name: "switch" is the name of zone.1 already
+zone.1.rail=middle|rail must be one of left, right, both
+zone.1.railpad.stiffness=-1|stiffness must be greater than 0
+zone.1.railpad.damping=-1|damping must be greater than 0
+zone.5.railpad.stiffness=1e8|5 is not an item of a list of 4
+zone.frog.railpad.stiffness=1e8|frog is not an item of a list of 4
+sleeper.mass={number: [2, 1], value: [380, 380]}|mass: places must increase
+sleeper.length={station: [5, 5], value: [2.6, 2.7]}|length: places must increase
+sleeper.centre={number: [1, 2], value: [0]}|centre: 2 places but 1 values
+sleeper.centre={number: [], value: []}|centre: 0 places
+sleeper.mass={bay: [1, 2], value: [380, 380]}|mass: one number, or {station
+check_rail.1.play={station: [44, 43], value: [0.01, 0.01]}|play: places must increase
+check_rail.1.stiffness=-1|stiffness must be greater than 0
+curve.1.from=60|curve.2.from: 50.592 must be beyond
+curve.1.curvature=-2|curvature must be at least -1
+length=-3|length must be greater than 0
+length=152.5|length: 152.5 m is not a whole number, two or more, of sleeper spacings
+EOF
+
+# The same in a file: the place of it too.  s/FROM/TO/ | what the line must hold after the name of the file, LINE the first that is edited
+while IFS='|' read -r edit word; do
+	sed "$edit" $turnout >"$tmp/bad.yaml"
+	line=$(awk 'NR == FNR { a[FNR] = $0; next } $0 != a[FNR] { print FNR; exit }' $turnout "$tmp/bad.yaml")
+	refuses 1 "bad.yaml:$(echo "$word" | sed "s/LINE/$line/")" "refused with its place: $edit" $bin/vxtrack "$tmp/bad.yaml"
+done <<'EOF'
+s/stiffness: 300e6/stiffness: -300e6/|LINE:16: error: stiffness must be greater than 0
+s/damping: 120e3/damping: -120e3/|LINE:14: error: damping must be at least 0
+s/380.0, 383.8/0, 383.8/|LINE:15: error: mass must be greater than 0
+s/380.0, 383.8/380.0 383.8/|LINE:15: error: mass: "380.0 383.8" is not a plain number
+s/0.0000, -0.0131/20, -0.0131/|LINE:15: error: centre must be at least -10 and at most 10 m, not 20
+s/number: .1, 11, 21/number: [1, 21, 11/|LINE:23: error: mass: places must increase
+s/rail: left/rail: frog/|LINE:52: error: rail must be one of left, right, both, not "frog"
+s/closure, sleepers/closure, sleeper/|LINE:23: error: unknown key sleeper in zone, did you mean sleepers
+s/..70, 90.., rail: left/[70, 90], rail: left/|LINE:35: error: sleepers: a pair
+s/50.592,/-50.592,/| error: curve.2.from: -50.592 must be beyond
+s/.91, 100./[85, 100]/| zone.3.sleepers: the left railpad of sleeper 85 is in two zones, closure and crossing
+s/.91, 100./[91, 1000]/| zone.2.sleepers: .91, 1000. is not within the track
+EOF
+
 sed 's/stiffness: 300e6/stiffness: 300 MN/' $track >"$tmp/unit.yaml"
 refuses 1 "unit.yaml:[0-9]*:[0-9]*: error: " "a unit in a number, told with its place" $bin/vxtrack "$tmp/unit.yaml"
 if [ -c /dev/full ]; then

@@ -6,10 +6,12 @@
 enum { PIECES = 8 };       /* of the line between two nodes */
 
 /* Stations and deflections of a rail, `behind` in a shape, over the largest: between nodes by Hermite's polynomials of deflection and
- * pitch t = -dw/dx.  x, w [PIECES (nodes - 1) + 1] */
+ * pitch t = -dw/dx; a moving mass is one node.  x, w [PIECES (nodes - 1) + 1] */
 static void bend(const struct trk *t, const double *shape, int behind, double largest, double *x, double *w)
 {
-    for (int64_t i = 0; i <= PIECES * (t->nodes - 1); i++) {
+    x[0] = t->x[0];
+    w[0] = shape[t->node_dof[0] + behind] / largest;
+    for (int64_t i = 1; i <= PIECES * (t->nodes - 1); i++) {
         const int64_t k = i / PIECES < t->nodes - 1 ? i / PIECES : t->nodes - 2;
         const double *one = &shape[t->node_dof[k] + behind], *two = &shape[t->node_dof[k + 1] + behind];
         const double L = t->x[k + 1] - t->x[k], r = (double)(i - PIECES * k) / PIECES, s = 1 - r;
@@ -28,6 +30,8 @@ static void add_rail(struct chart *c, struct chart_panel *p, const struct trk *t
     bend(t, shape, 2 * rail, largest, x, w);
     struct chart_series *s = chart_add_series(c, p, rail == TRK_LEFT ? "left rail" : "right rail", n, x, w);
     s->dash = rail == TRK_LEFT ? CANVAS_SOLID : CANVAS_DASHED;
+    if (n == 1)
+        s->mark = CANVAS_DISC;
 }
 
 static void add_sleepers(struct chart *c, struct chart_panel *p, const struct trk *t, const double *shape, double largest)

@@ -128,7 +128,7 @@ static const char *respond(struct model *s, const struct place *p, double *u)
 {
     memset(u, 0, 2 * (size_t)s->track.dofs * sizeof *u);
     for (int k = 0; k < p->dofs; k++)
-        u[2 * p->dof[k]] = p->share[k];
+        u[2 * p->dof[k]] += p->share[k];
     return direct_solve(&s->direct, u);
 }
 

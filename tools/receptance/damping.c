@@ -11,6 +11,7 @@
 #include "tools/receptance/direct.h"
 
 static const double CONVERGED = 1e-9;      /* change of s over |s| */
+static const double BESIDE = 1e-9;         /* of s: so far from an exact eigenvalue, where Q has no factors, it is factored */
 enum {
     STEPS = 50,                            /* of one iteration, at most */
     PARTS = 4                              /* the damping comes in so many parts, so that each mode keeps to its own path */
@@ -77,6 +78,8 @@ static const char *iterate(struct direct *d, double *x, double *y, double comple
 {
     for (int step = 0; step < STEPS; step++) {
         const char *why = direct_factor(d, *s);
+        if (why)
+            why = direct_factor(d, *s * (1 + BESIDE));
         right_hand_side(d, *s, x, y);
         if (why || (why = direct_solve(d, y)))
             return why;

@@ -20,7 +20,7 @@ static const char *response(struct direct *d, const struct place *force, const s
 
     memset(u, 0, 2 * (size_t)d->track->dofs * sizeof *u);
     for (int k = 0; k < force->dofs; k++)
-        u[2 * force->dof[k]] = force->share[k];
+        u[2 * force->dof[k]] += force->share[k];
     if (why || (why = direct_solve(d, u)))
         return reason("at %g Hz: %s", frequency, why);
     for (int k = 0; k < motion->dofs; k++)

@@ -4,8 +4,12 @@
  * z down, y to the right: the point y of a sleeper goes down by z + y roll. */
 #include "tools/track/assemble.h"
 
+#include <math.h>
+
 #include "formats/reason.h"
 #include "tools/track/rails.h"
+
+static const double GUIDE = 1e6;       /* Hz, natural frequency of what is held, beyond all that a track is asked for */
 
 /* The matrix X being filled, on the pattern of the track. */
 struct matrix { const int64_t *Ap, *Ai; double *x; };
@@ -95,19 +99,42 @@ static void add_beams(const struct trk *t, const struct matrix *K, const struct 
         }
 }
 
+/* A sleeper that cannot roll has no inertia in roll. */
+static int rolls(const struct trk *t, int64_t sleeper)
+{
+    return t->sleeper_inertia[sleeper] > 0;
+}
+
 /* pad [2][sleepers] and ballast [3][sleepers]: stiffness for K, damping for C. */
 static void add_supports(const struct trk *t, const struct matrix *X, const double *pad, const double *ballast)
 {
     for (int64_t s = 0; s < t->sleepers; s++) {
         const int64_t z = t->sleeper_dof[s], roll = z + 1;
         for (int rail = 0; rail < TRK_RAILS; rail++) {
-            const double arm = (rail == TRK_LEFT ? -0.5 : 0.5) * t->rail_spacing - t->sleeper_y[s];
+            const double arm = rolls(t, s) ? (rail == TRK_LEFT ? -0.5 : 0.5) * t->rail_spacing - t->sleeper_y[s] : 0;
             add_spring(X, pad[rail * t->sleepers + s], 3, (int64_t[]){t->node_dof[t->sleeper_node[s]] + 2 * rail, z, roll},
                        (double[]){1, -1, -arm});                   /* e = w - (z + arm roll) */
         }
         for (int b = 0; b < TRK_BALLAST; b++)
-            add_spring(X, ballast[b * t->sleepers + s], 2, (int64_t[]){z, roll}, (double[]){1, t->ballast_y[b * t->sleepers + s]});
+            add_spring(X, ballast[b * t->sleepers + s], 2, (int64_t[]){z, roll},
+                       (double[]){1, rolls(t, s) ? t->ballast_y[b * t->sleepers + s] : 0});
     }
+}
+
+static void hold_dof(const struct matrix *K, const struct matrix *M, int64_t dof, double stiffness)
+{
+    add(K, dof, dof, stiffness);
+    add(M, dof, dof, stiffness / ((2 * M_PI * GUIDE) * (2 * M_PI * GUIDE)));
+}
+
+/* Of a moving mass, a single node of each rail, what must not turn stands alone in its row: no force reaches it. */
+static void hold(const struct trk *t, const struct matrix *K, const struct matrix *M)
+{
+    for (int rail = 0; rail < TRK_RAILS && t->nodes == 1; rail++)
+        hold_dof(K, M, t->node_dof[0] + 2 * rail + 1, t->pad_k[rail]);
+    for (int64_t s = 0; s < t->sleepers; s++)
+        if (!rolls(t, s))
+            hold_dof(K, M, t->sleeper_dof[s] + 1, t->pad_k[s]);
 }
 
 static void add_masses(const struct trk *t, const struct matrix *M)
@@ -137,6 +164,7 @@ const char *assemble_track(struct trk *t)
     add_beams(t, &(struct matrix){Ap, Ai, K}, &(struct matrix){Ap, Ai, M});
     add_supports(t, &(struct matrix){Ap, Ai, K}, t->pad_k, t->ballast_k);
     add_supports(t, &(struct matrix){Ap, Ai, C}, t->pad_c, t->ballast_c);
+    hold(t, &(struct matrix){Ap, Ai, K}, &(struct matrix){Ap, Ai, M});
     add_masses(t, &(struct matrix){Ap, Ai, M});
     t->Ap = Ap;
     t->Ai = Ai;

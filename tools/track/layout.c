@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "formats/reason.h"
+#include "tools/track/pads.h"
 #include "tools/track/rails.h"
 
 static const double WHOLE = 1e-6;      /* length / spacing may differ this much from a whole number */
@@ -38,7 +39,7 @@ static const char *lay_sleepers(struct trk *t, const struct trk_text *in)
         x[k] = t->x[node[k]];
         number[k] = (int64_t)floor(number_at(in, x[0]) + 0.5 + WHOLE) + k;
         mass[k] = at_station(&in->sleeper.mass, in, x[k]);
-        inertia[k] = at_station(&in->sleeper.roll_inertia, in, x[k]);
+        inertia[k] = in->sleeper.roll == TRK_TEXT_HELD ? 0 : at_station(&in->sleeper.roll_inertia, in, x[k]);
         y[k] = at_station(&in->sleeper.centre, in, x[k]);
     }
     t->sleeper_x = x;
@@ -48,6 +49,29 @@ static const char *lay_sleepers(struct trk *t, const struct trk_text *in)
     t->sleeper_inertia = inertia;
     t->sleeper_y = y;
     return NULL;
+}
+
+/* Both rails stand on every sleeper. */
+static const char *check_centres(const struct trk *t, const struct trk_text *in)
+{
+    for (int64_t s = 0; s < t->sleepers; s++) {
+        const double half = at_station(&in->sleeper.length, in, t->sleeper_x[s]) / 2;
+        for (int rail = 0; rail < TRK_RAILS; rail++) {
+            const double y = (rail == TRK_LEFT ? -0.5 : 0.5) * t->rail_spacing - t->sleeper_y[s];
+            if (fabs(y) > half)
+                return reason("sleeper.centre: the %s rail, %g m beside the middle of sleeper %lld, is beyond its end at %g m",
+                              rail == TRK_LEFT ? "left" : "right", fabs(y), (long long)t->sleeper_number[s], half);
+        }
+    }
+    return NULL;
+}
+
+/* What a spring takes of the total: a third, or of a moving mass, which stands on the outer two, a half. */
+static double ballast_part(const struct trk_text *in, int spring, double total)
+{
+    if (in->model == TRK_TEXT_MOVING_MASS)
+        return spring == 1 ? 0 : total / 2;
+    return total / TRK_BALLAST;
 }
 
 static const char *lay_ballast(struct trk *t, const struct trk_text *in)
@@ -60,60 +84,17 @@ static const char *lay_ballast(struct trk *t, const struct trk_text *in)
     for (int64_t s = 0; s < n; s++) {
         double x = t->sleeper_x[s], length = at_station(&in->sleeper.length, in, x), arm = length / 2 - in->ballast.edge;
         if (!(arm > 0))
-            return reason("sleeper %lld of length %g m is too short for ballast springs %g m from its ends",
+            return reason("ballast.edge: sleeper %lld of length %g m is too short for springs %g m from its ends",
                           (long long)t->sleeper_number[s], length, in->ballast.edge);
         for (int b = 0; b < TRK_BALLAST; b++) {
-            k[b * n + s] = at_station(&in->ballast.stiffness, in, x) / TRK_BALLAST;
-            c[b * n + s] = at_station(&in->ballast.damping, in, x) / TRK_BALLAST;
+            k[b * n + s] = ballast_part(in, b, at_station(&in->ballast.stiffness, in, x));
+            c[b * n + s] = ballast_part(in, b, at_station(&in->ballast.damping, in, x));
             y[b * n + s] = (b - 1) * arm;
         }
     }
     t->ballast_k = k;
     t->ballast_c = c;
     t->ballast_y = y;
-    return NULL;
-}
-
-/* Number 1.. of the zone that holds the railpad of this sleeper and rail; 0 where none does, -1 where two do. */
-static int64_t zone_of(const struct trk_text *in, int64_t number, int rail)
-{
-    const struct trk_text_zone *z = in->zone.item;
-    int64_t found = 0;
-
-    for (int64_t k = 0; k < in->zone.n; k++)
-        for (int64_t i = 0; i < z[k].sleepers.n; i += 2)
-            if ((z[k].rail == TRK_TEXT_BOTH || z[k].rail == rail) && (double)number >= z[k].sleepers.x[i] &&
-                (double)number <= z[k].sleepers.x[i + 1])
-                found = found ? -1 : k + 1;
-    return found;
-}
-
-static const char *lay_pads(struct trk *t, const struct trk_text *in)
-{
-    const int64_t n = t->sleepers;
-    double *k = numbers(t, TRK_RAILS * n), *c = numbers(t, TRK_RAILS * n);
-    int64_t *zone = trk_room(t, TRK_RAILS * n, sizeof *zone);
-    char (*name)[32] = trk_room(t, in->zone.n, sizeof *name);
-    const struct trk_text_zone *z = in->zone.item;
-
-    if (!k || !c || !zone || !name)
-        return REASON_MEMORY;
-    for (int64_t i = 0; i < in->zone.n; i++)
-        strncpy(name[i], z[i].name, sizeof name[i] - 1);
-    for (int64_t i = 0; i < TRK_RAILS * n; i++) {
-        int64_t s = i % n, found = zone_of(in, t->sleeper_number[s], (int)(i / n));
-        if (found < 0)
-            return reason("the %s railpad of sleeper %lld is in two zones", i < n ? "left" : "right", (long long)t->sleeper_number[s]);
-        const struct trk_text_zone_pad own = found ? z[found - 1].railpad : (struct trk_text_zone_pad){0};
-        zone[i] = found;
-        k[i] = own.stiffness > 0 ? own.stiffness : at_station(&in->railpad.stiffness, in, t->sleeper_x[s]);
-        c[i] = own.damping > 0 ? own.damping : at_station(&in->railpad.damping, in, t->sleeper_x[s]);
-    }
-    t->pad_k = k;
-    t->pad_c = c;
-    t->pad_zone = zone;
-    t->zones = in->zone.n;
-    t->zone_name = (const char (*)[32])name;
     return NULL;
 }
 
@@ -207,9 +188,11 @@ const char *layout_track(struct trk *t, const struct trk_text *in)
     t->rail_spacing = in->rail_spacing;
     t->sleepers = (int64_t)floor(bays + 0.5);
     t->nodes = (t->sleepers - 1) * in->rail.elements_per_bay + 1;
-    if (t->sleepers < 2 || fabs(bays - (double)t->sleepers) > WHOLE)
-        return reason("length %g m is not a whole number, two or more, of sleeper spacings of %g m", in->length, in->sleeper.spacing);
-    if ((why = rails_lay(t, in)) || (why = lay_sleepers(t, in)) || (why = lay_ballast(t, in)) || (why = lay_pads(t, in)) ||
+    if (in->model == TRK_TEXT_MOVING_MASS && fabs(bays - 1) > WHOLE)
+        return reason("length: %g m is not the sleeper spacing of %g m, which a moving mass has", in->length, in->sleeper.spacing);
+    if (in->model == TRK_TEXT_FIXED && (t->sleepers < 2 || fabs(bays - (double)t->sleepers) > WHOLE))
+        return reason("length: %g m is not a whole number, two or more, of sleeper spacings of %g m", in->length, in->sleeper.spacing);
+    if ((why = rails_lay(t, in)) || (why = lay_sleepers(t, in)) || (why = check_centres(t, in)) || (why = lay_ballast(t, in)) || (why = pads_lay(t, in)) ||
         (why = lay_lateral(t, in)) || (why = lay_check_rail(t, in)) || (why = lay_curve(t, in)))
         return why;
     return number_dofs(t);

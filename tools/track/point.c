@@ -27,9 +27,10 @@ void point_at(struct point *p, const struct trk *t, double x)
     x = fmin(fmax(x, t->x[0]), t->x[t->nodes - 1]);
     while (i < t->nodes - 2 && x >= t->x[i + 1])
         i++;
-    p->x = x;
-    p->node = i;
-    for (int rail = 0; rail < TRK_RAILS; rail++) {
+    *p = (struct point){.x = x, .node = i};
+    for (int rail = 0; rail < TRK_RAILS && t->nodes == 1; rail++)
+        p->shape[rail][0] = 1;
+    for (int rail = 0; rail < TRK_RAILS && t->nodes > 1; rail++) {
         const struct beam b = rails_beam(t, rail, i);
         beam_shape(&b, x - t->x[i], p->shape[rail]);
         p->compliance[rail] = beam_compliance(&b, x - t->x[i]);
@@ -39,7 +40,7 @@ void point_at(struct point *p, const struct trk *t, double x)
 void point_dofs(const struct point *p, const struct trk *t, int rail, int64_t dof[4])
 {
     for (int end = 0; end < 2; end++) {
-        dof[2 * end] = t->node_dof[p->node + end] + 2 * rail;
+        dof[2 * end] = t->node_dof[t->nodes > 1 ? p->node + end : 0] + 2 * rail;
         dof[2 * end + 1] = dof[2 * end] + 1;
     }
 }

@@ -11,7 +11,7 @@ enum { AT_SLEEPER, AT_MIDSPAN };
 
 struct point {
     double x;                        /* m */
-    int64_t node;                    /* near end of its element */
+    int64_t node;                    /* near end of its element; a moving mass has none, and the far end is the near one */
     double shape[TRK_RAILS][4];      /* of [w t] near and far: deflection from them, and load upon them */
     double compliance[TRK_RAILS];    /* m/N, of the element with held ends */
 };

@@ -1,5 +1,6 @@
 /* Nodes stand on the sleepers and divide the rail between them into equal elements.  The rails end, free, at the outermost sleepers; the
- * half bay beyond is mass at the end nodes, so that a lumped node of a 0.6 m bay carries 36 kg of a 60 kg/m rail also there. */
+ * half bay beyond is mass at the end nodes, so that a lumped node of a 0.6 m bay carries 36 kg of a 60 kg/m rail also there.  The rails of
+ * a moving mass are a node each, a bay of mass that does not pitch. */
 #include "tools/track/rails.h"
 
 #include <stdlib.h>
@@ -64,7 +65,7 @@ static const char *lay_bending(struct trk *t, const struct trk_text *in)
 static const char *lay_masses(struct trk *t, const struct trk_text *in, double h)
 {
     const int64_t n = t->nodes;
-    const int lumped = in->rail.mass_model == TRK_TEXT_LUMPED;
+    const int moving = in->model == TRK_TEXT_MOVING_MASS, lumped = moving || in->rail.mass_model == TRK_TEXT_LUMPED;
     double *mass = numbers(t, TRK_RAILS * n), *inertia = numbers(t, TRK_RAILS * n);
     double *density = numbers(t, TRK_RAILS * (n - 1)), *rotary = numbers(t, TRK_RAILS * (n - 1));
 
@@ -73,10 +74,10 @@ static const char *lay_masses(struct trk *t, const struct trk_text *in, double h
     for (int64_t k = 0; k < TRK_RAILS * n; k++) {
         const int end = k % n == 0 || k % n == n - 1;
         if (lumped)
-            mass[k] = in->rail.mass * (end ? (h + in->sleeper.spacing) / 2 : h);
+            mass[k] = in->rail.mass * (moving ? in->sleeper.spacing : end ? (h + in->sleeper.spacing) / 2 : h);
         else
             mass[k] = end ? in->rail.mass * (in->sleeper.spacing / 2) : 0;
-        inertia[k] = lumped ? in->rail.pitch_inertia : 0;
+        inertia[k] = lumped && !moving ? in->rail.pitch_inertia : 0;
     }
     for (int64_t k = 0; k < TRK_RAILS * (n - 1) && !lumped; k++) {
         density[k] = in->rail.mass;

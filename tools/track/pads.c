@@ -1,0 +1,75 @@
+/* A zone lists sleepers by number: all of them in the track, and no railpad twice. */
+#include "tools/track/pads.h"
+
+#include <string.h>
+
+#include "formats/reason.h"
+
+static double at_station(const struct yaml_table *table, const struct trk_text *in, double x)
+{
+    return yaml_table_at(table, x, (x - in->first_sleeper) / in->sleeper.spacing + 0.5);
+}
+
+/* Railpad i of [2][sleepers] is in the zones one and two, counted from 1. */
+static const char *twice(const struct trk *t, const struct trk_text *in, int64_t i, int64_t one, int64_t two)
+{
+    const struct trk_text_zone *z = in->zone.item;
+    const char *rail = i < t->sleepers ? "left" : "right";
+    const long long number = t->sleeper_number[i % t->sleepers];
+
+    if (one == two)
+        return reason("zone.%lld.sleepers: the %s railpad of sleeper %lld stands twice", (long long)two, rail, number);
+    return reason("zone.%lld.sleepers: the %s railpad of sleeper %lld is in two zones, %s and %s", (long long)two, rail, number,
+                  z[one - 1].name, z[two - 1].name);
+}
+
+/* zone [2][sleepers]: of each railpad, from 1, this one added. */
+static const char *mark_zone(const struct trk *t, const struct trk_text *in, int64_t number, int64_t *zone)
+{
+    const struct trk_text_zone *z = (const struct trk_text_zone *)in->zone.item + number - 1;
+    const int64_t n = t->sleepers, from = t->sleeper_number[0], to = t->sleeper_number[n - 1];
+
+    for (int64_t r = 0; r < z->sleepers.n; r += 2) {
+        const double first = z->sleepers.x[r], last = z->sleepers.x[r + 1];
+        if (first < (double)from || last > (double)to)
+            return reason("zone.%lld.sleepers: [%g, %g] is not within the track, sleepers %lld to %lld", (long long)number, first, last,
+                          (long long)from, (long long)to);
+        for (int64_t i = 0; i < TRK_RAILS * n; i++) {
+            const double s = (double)t->sleeper_number[i % n];
+            if (s < first || s > last || (z->rail != TRK_TEXT_BOTH && z->rail != i / n))
+                continue;
+            if (zone[i])
+                return twice(t, in, i, zone[i], number);
+            zone[i] = number;
+        }
+    }
+    return NULL;
+}
+
+const char *pads_lay(struct trk *t, const struct trk_text *in)
+{
+    const int64_t n = t->sleepers;
+    double *k = trk_room(t, TRK_RAILS * n, sizeof *k), *c = trk_room(t, TRK_RAILS * n, sizeof *c);
+    int64_t *zone = trk_room(t, TRK_RAILS * n, sizeof *zone);
+    char (*name)[32] = trk_room(t, in->zone.n, sizeof *name);
+    const struct trk_text_zone *z = in->zone.item;
+    const char *why = NULL;
+
+    if (!k || !c || !zone || !name)
+        return REASON_MEMORY;
+    for (int64_t i = 0; i < in->zone.n && !why; i++) {
+        strncpy(name[i], z[i].name, sizeof name[i] - 1);
+        why = mark_zone(t, in, i + 1, zone);
+    }
+    for (int64_t i = 0; i < TRK_RAILS * n; i++) {
+        const struct trk_text_zone_pad own = zone[i] ? z[zone[i] - 1].railpad : (struct trk_text_zone_pad){0};
+        k[i] = own.stiffness > 0 ? own.stiffness : at_station(&in->railpad.stiffness, in, t->sleeper_x[i % n]);
+        c[i] = own.damping > 0 ? own.damping : at_station(&in->railpad.damping, in, t->sleeper_x[i % n]);
+    }
+    t->pad_k = k;
+    t->pad_c = c;
+    t->pad_zone = zone;
+    t->zones = in->zone.n;
+    t->zone_name = (const char (*)[32])name;
+    return why;
+}
