@@ -38,6 +38,8 @@ static const struct vxf_member TABLE[] = {
     {"ballast.k",      "N/m",   VXF_F64, 2, {BALLAST, SLEEPERS}, AT(ballast_k)},
     {"ballast.c",      "N.s/m", VXF_F64, 2, {BALLAST, SLEEPERS}, AT(ballast_c)},
     {"ballast.y",      "m",     VXF_F64, 2, {BALLAST, SLEEPERS}, AT(ballast_y)},
+    {"ballast.gap",    "m",     VXF_F64, 2, {BALLAST, SLEEPERS}, AT(ballast_gap)},
+    {"ballast.state",  "1",     VXF_I64, 2, {BALLAST, SLEEPERS}, AT(ballast_state)},
     {"lateral.m",      "kg",    VXF_F64, 1, {ONE, ONE},          AT(lateral_m)},
     {"lateral.k",      "N/m",   VXF_F64, 1, {ONE, ONE},          AT(lateral_k)},
     {"lateral.c",      "N.s/m", VXF_F64, 1, {ONE, ONE},          AT(lateral_c)},

@@ -14,6 +14,7 @@
 
 enum { TRK_LEFT, TRK_RIGHT, TRK_RAILS };
 enum { TRK_BALLAST = 3 };              /* springs under a sleeper: left, middle, right */
+enum { TRK_BONDED, TRK_CLOSED, TRK_OPEN }; /* ballast: holds both ways; pushes alone, and does or does not under the track's own weight */
 
 struct trk {
     char name[64];
@@ -42,6 +43,8 @@ struct trk {
     const double *pad_k, *pad_c;       /* N/m, N s/m [2][sleepers] */
     const double *ballast_k, *ballast_c; /* N/m, N s/m [3][sleepers] left, middle, right */
     const double *ballast_y;           /* m [3][sleepers] from the sleeper's centre */
+    const double *ballast_gap;         /* m [3][sleepers] void between it and the unloaded sleeper */
+    const int64_t *ballast_state;      /* [3][sleepers] TRK_BONDED, ...; TRK_OPEN is not in K and C */
     const double *lateral_m;           /* kg [1] of each rail moving sideways with a wheel, or of a moving mass with a wheelset */
     const double *lateral_k, *lateral_c; /* N/m, N s/m [1] between it and the ground; k = 0: rails that do not yield sideways */
     const int64_t *check_rail;         /* [1] side of the check rail, TRK_LEFT or TRK_RIGHT */

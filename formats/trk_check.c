@@ -52,7 +52,8 @@ static const char *check_numbers(const struct trk *t)
            (why = at_least("pad.k", t->pad_k, TRK_RAILS * s, 0, 1)) ||
            (why = at_least("pad.c", t->pad_c, TRK_RAILS * s, 0, 1)) ||
            (why = at_least("ballast.k", t->ballast_k, TRK_BALLAST * s, 0, 1)) ||
-           (why = at_least("ballast.c", t->ballast_c, TRK_BALLAST * s, 0, 1)));
+           (why = at_least("ballast.c", t->ballast_c, TRK_BALLAST * s, 0, 1)) ||
+           (why = at_least("ballast.gap", t->ballast_gap, TRK_BALLAST * s, 0, 1)));
     return why;
 }
 
@@ -71,6 +72,11 @@ static const char *check_sleepers(const struct trk *t)
         if (t->pad_zone[k] < 0 || t->pad_zone[k] > t->zones)
             return reason("array pad.zone: %lld at %lld, but there are %lld zones", (long long)t->pad_zone[k], (long long)k,
                           (long long)t->zones);
+    for (int64_t k = 0; k < TRK_BALLAST * t->sleepers; k++) {
+        const int64_t state = t->ballast_state[k];
+        if (state < TRK_BONDED || state > TRK_OPEN || (state == TRK_BONDED && t->ballast_gap[k] > 0))
+            return reason("array ballast.state: %lld at %lld over a gap of %g m", (long long)state, (long long)k, t->ballast_gap[k]);
+    }
     for (int64_t z = 0; z < t->zones; z++)
         if (!memchr(t->zone_name[z], 0, sizeof t->zone_name[z]))
             return reason("array zone.name: no end at %lld", (long long)z);

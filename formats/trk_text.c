@@ -27,6 +27,10 @@ static const struct yaml_schema LATERAL = {"lateral", sizeof(struct trk_text_lat
 static const struct yaml_field OWN_FIELDS[] = {
     {"bending_stiffness", YAML_TABLE, AT(trk_text_own, bending_stiffness), YAML_POSITIVE, 1e12, "N m2", YAML_ABSENT,
      "of this rail, instead of that of both", NULL, NULL},
+    {"mass", YAML_TABLE, AT(trk_text_own, mass), YAML_POSITIVE, 1e5, "kg/m", YAML_ABSENT, "likewise", NULL, NULL},
+    {"pitch_inertia", YAML_TABLE, AT(trk_text_own, pitch_inertia), YAML_POSITIVE, 1e5, "kg m2", YAML_ABSENT, "likewise", NULL, NULL},
+    {"shear_stiffness", YAML_TABLE, AT(trk_text_own, shear_stiffness), YAML_POSITIVE, 1e15, "N", YAML_ABSENT, "likewise", NULL, NULL},
+    {"rotary_inertia", YAML_TABLE, AT(trk_text_own, rotary_inertia), YAML_POSITIVE, 1e5, "kg m", YAML_ABSENT, "likewise", NULL, NULL},
     {0}};
 
 static const struct yaml_schema OWN = {"rail", sizeof(struct trk_text_own), OWN_FIELDS};
@@ -34,12 +38,12 @@ static const struct yaml_schema OWN = {"rail", sizeof(struct trk_text_own), OWN_
 static const struct yaml_field RAIL_FIELDS[] = {
     {"bending_stiffness", YAML_TABLE, AT(trk_text_rail, bending_stiffness), YAML_POSITIVE, 1e12, "N m2", NULL,
      "vertical bending stiffness EI of each rail; it may vary within a bay", NULL, NULL},
-    {"mass", YAML_NUM, AT(trk_text_rail, mass), YAML_POSITIVE, 1e5, "kg/m", NULL, "of each rail", NULL, NULL},
-    {"pitch_inertia", YAML_NUM, AT(trk_text_rail, pitch_inertia), YAML_POSITIVE, 1e5, "kg m2", YAML_ABSENT,
+    {"mass", YAML_TABLE, AT(trk_text_rail, mass), YAML_POSITIVE, 1e5, "kg/m", NULL, "of each rail", NULL, NULL},
+    {"pitch_inertia", YAML_TABLE, AT(trk_text_rail, pitch_inertia), YAML_POSITIVE, 1e5, "kg m2", YAML_ABSENT,
      "of each rail node, lumped only, where it must be given: it sets the pinned-pinned frequency", NULL, NULL},
-    {"shear_stiffness", YAML_NUM, AT(trk_text_rail, shear_stiffness), YAML_POSITIVE, 1e15, "N", YAML_ABSENT,
+    {"shear_stiffness", YAML_TABLE, AT(trk_text_rail, shear_stiffness), YAML_POSITIVE, 1e15, "N", YAML_ABSENT,
      "kappa G A of each rail, timoshenko only, where it must be given", NULL, NULL},
-    {"rotary_inertia", YAML_NUM, AT(trk_text_rail, rotary_inertia), YAML_POSITIVE, 1e5, "kg m", YAML_ABSENT,
+    {"rotary_inertia", YAML_TABLE, AT(trk_text_rail, rotary_inertia), YAML_POSITIVE, 1e5, "kg m", YAML_ABSENT,
      "rho I of each rail, pitch inertia of a metre of it, timoshenko with consistent mass only, where it must be given", NULL, NULL},
     {"mass_model", YAML_CHOICE, AT(trk_text_rail, mass_model), 0, 0, "", "lumped", "mass at the nodes, or along the elements", NULL, MASS_MODELS},
     {"beam", YAML_CHOICE, AT(trk_text_rail, beam), 0, 0, "", "euler", "beam theory", NULL, BEAMS},
@@ -64,16 +68,40 @@ static const struct yaml_field SLEEPER_FIELDS[] = {
      "about its own length; no part of the vertical track", NULL, NULL},
     {0}};
 
+static const struct yaml_field MISSING_FIELDS[] = {
+    {"sleepers", YAML_PAIRS, AT(trk_text_missing, sleepers), -1e6, 1e6, "", NULL, "numbers of the first and the last, each range a pair",
+     NULL, NULL},
+    {"rail", YAML_CHOICE, AT(trk_text_missing, rail), 0, 0, "", "both", "whose railpads", NULL, RAILS},
+    {0}};
+
+static const struct yaml_schema MISSING = {"missing", sizeof(struct trk_text_missing), MISSING_FIELDS};
+
 static const struct yaml_field PAD_FIELDS[] = {
     {"stiffness", YAML_TABLE, AT(trk_text_pad, stiffness), YAML_POSITIVE, 1e12, "N/m", NULL, "of each railpad", NULL, NULL},
     {"damping", YAML_TABLE, AT(trk_text_pad, damping), 0, 1e9, "N s/m", NULL, "of each railpad", NULL, NULL},
+    {"missing", YAML_LIST, AT(trk_text_pad, missing), 0, 0, "", YAML_ABSENT, "railpads that are not there", &MISSING, NULL},
     {0}};
+
+static const struct yaml_field SPRING_FIELDS[] = {
+    {"stiffness", YAML_TABLE, AT(trk_text_spring, stiffness), 0, 1e12, "N/m", YAML_ABSENT, "of this spring, instead of its part of the whole",
+     NULL, NULL},
+    {"damping", YAML_TABLE, AT(trk_text_spring, damping), 0, 1e9, "N s/m", YAML_ABSENT, "likewise", NULL, NULL},
+    {"gap", YAML_TABLE, AT(trk_text_spring, gap), 0, 1, "m", YAML_ABSENT, "above this spring, instead of ballast.gap", NULL, NULL},
+    {0}};
+
+static const struct yaml_schema SPRING = {"spring", sizeof(struct trk_text_spring), SPRING_FIELDS};
 
 static const struct yaml_field BALLAST_FIELDS[] = {
     {"stiffness", YAML_TABLE, AT(trk_text_ballast, stiffness), YAML_POSITIVE, 1e12, "N/m", NULL,
      "of a whole sleeper; left, middle and right each take a third, of a moving mass left and right a half", NULL, NULL},
     {"damping", YAML_TABLE, AT(trk_text_ballast, damping), 0, 1e9, "N s/m", NULL, "of a whole sleeper, likewise", NULL, NULL},
     {"edge", YAML_NUM, AT(trk_text_ballast, edge), 0, 10, "m", "0.35", "outer springs, from the ends of the sleeper", NULL, NULL},
+    {"gap", YAML_TABLE, AT(trk_text_ballast, gap), 0, 1, "m", "0", "void under the unloaded sleeper; where there is one, ballast pushes only", NULL,
+     NULL},
+    {"tension", YAML_BOOL, AT(trk_text_ballast, tension), 0, 0, "", "true", "whether ballast without a void holds both ways", NULL, NULL},
+    {"left", YAML_MAP, AT(trk_text_ballast, left), 0, 0, "", YAML_ABSENT, "what is different in the left spring", &SPRING, NULL},
+    {"middle", YAML_MAP, AT(trk_text_ballast, middle), 0, 0, "", YAML_ABSENT, "what is different in the middle spring", &SPRING, NULL},
+    {"right", YAML_MAP, AT(trk_text_ballast, right), 0, 0, "", YAML_ABSENT, "what is different in the right spring", &SPRING, NULL},
     {0}};
 
 static const struct yaml_field CHECK_FIELDS[] = {
@@ -157,19 +185,25 @@ static const char *check_check_rail(const struct yaml_list *list)
     return NULL;
 }
 
+/* Of item `number` of a list. */
+static const char *check_ranges(const char *list, int64_t number, const struct yaml_nums *sleepers)
+{
+    if (sleepers->n == 0)
+        return reason("%s.%lld.sleepers: no sleeper, one range [first, last] at least is wanted", list, (long long)number);
+    for (int64_t i = 0; i < sleepers->n; i += 2) {
+        double first = sleepers->x[i], last = sleepers->x[i + 1];
+        if (floor(first) < first || floor(last) < last || last < first)
+            return reason("%s.%lld.sleepers: [%g, %g] must be two whole numbers, the first not above the last", list, (long long)number,
+                          first, last);
+    }
+    return NULL;
+}
+
 static const char *check_zone(const struct trk_text_zone *z, int64_t number)
 {
     if (strlen(z->name) >= sizeof *((struct trk *)NULL)->zone_name)
         return reason("zone.%lld.name: \"%s\" is longer than 31 letters", (long long)number, z->name);
-    if (z->sleepers.n == 0)
-        return reason("zone.%lld.sleepers: no sleeper, one range [first, last] at least is wanted", (long long)number);
-    for (int64_t i = 0; i < z->sleepers.n; i += 2) {
-        double first = z->sleepers.x[i], last = z->sleepers.x[i + 1];
-        if (floor(first) < first || floor(last) < last || last < first)
-            return reason("zone.%lld.sleepers: [%g, %g] must be two whole numbers, the first not above the last", (long long)number,
-                          first, last);
-    }
-    return NULL;
+    return check_ranges("zone", number, &z->sleepers);
 }
 
 /* Zones are told apart by name, in plots and tables of results too. */
@@ -181,15 +215,32 @@ static const char *check_zone_name(const struct trk_text_zone *z, int64_t k)
     return NULL;
 }
 
+/* For both rails, or for each. */
+static int given(const struct yaml_table *both, const struct yaml_table *left, const struct yaml_table *right)
+{
+    return both->n > 0 || (left->n > 0 && right->n > 0);
+}
+
 static const char *check_rail(const struct trk_text_rail *r)
 {
-    if (r->mass_model == TRK_TEXT_LUMPED && !(r->pitch_inertia > 0))
+    if (r->mass_model == TRK_TEXT_LUMPED && !given(&r->pitch_inertia, &r->left.pitch_inertia, &r->right.pitch_inertia))
         return "rail.pitch_inertia: a lumped rail needs it, the pitch inertia of a node in kg m2";
-    if (r->beam == TRK_TEXT_TIMOSHENKO && !(r->shear_stiffness > 0))
+    if (r->beam == TRK_TEXT_TIMOSHENKO && !given(&r->shear_stiffness, &r->left.shear_stiffness, &r->right.shear_stiffness))
         return "rail.shear_stiffness: a timoshenko rail needs it, kappa G A in N";
-    if (r->beam == TRK_TEXT_TIMOSHENKO && r->mass_model == TRK_TEXT_CONSISTENT && !(r->rotary_inertia > 0))
+    if (r->beam == TRK_TEXT_TIMOSHENKO && r->mass_model == TRK_TEXT_CONSISTENT &&
+        !given(&r->rotary_inertia, &r->left.rotary_inertia, &r->right.rotary_inertia))
         return "rail.rotary_inertia: a timoshenko rail with consistent mass needs it, rho I in kg m";
     return NULL;
+}
+
+static const char *check_missing(const struct yaml_list *list)
+{
+    const struct trk_text_missing *m = list->item;
+    const char *why = NULL;
+
+    for (int64_t k = 0; k < list->n && !why; k++)
+        why = check_ranges("railpad.missing", k + 1, &m[k].sleepers);
+    return why;
 }
 
 static const char *check(const struct trk_text *in)
@@ -202,7 +253,7 @@ static const char *check(const struct trk_text *in)
     if (in->sleeper.roll == TRK_TEXT_HELD && in->model != TRK_TEXT_MOVING_MASS)
         return "sleeper.roll: held is for model: moving_mass alone";
     if ((in->model == TRK_TEXT_FIXED && (why = check_rail(&in->rail))) || (why = check_curve(&in->curve)) ||
-        (why = check_check_rail(&in->check_rail)))
+        (why = check_check_rail(&in->check_rail)) || (why = check_missing(&in->railpad.missing)))
         return why;
     for (int64_t k = 0; k < in->zone.n; k++)
         if ((why = check_zone(&z[k], k + 1)) || (why = check_zone_name(z, k)))

@@ -14,14 +14,15 @@ enum { TRK_TEXT_LEFT, TRK_TEXT_RIGHT, TRK_TEXT_BOTH };   /* zone.rail */
 
 struct trk_text_lateral { double mass, stiffness, damping; };   /* kg, N/m, N s/m; all 0 where not given */
 
-struct trk_text_own { struct yaml_table bending_stiffness; };   /* N m2; no knots where not given */
+/* Of one rail instead of both: N m2, kg/m, kg m2, N, kg m; no knots where not given. */
+struct trk_text_own { struct yaml_table bending_stiffness, mass, pitch_inertia, shear_stiffness, rotary_inertia; };
 
 struct trk_text_rail {
     struct yaml_table bending_stiffness;  /* N m2 */
-    double mass;                          /* kg/m */
-    double pitch_inertia;                 /* kg m2 per lumped node; 0 where not given */
-    double shear_stiffness;               /* N, kappa G A; 0 where not given */
-    double rotary_inertia;                /* kg m, rho I; 0 where not given */
+    struct yaml_table mass;               /* kg/m */
+    struct yaml_table pitch_inertia;      /* kg m2 per lumped node; no knots where not given */
+    struct yaml_table shear_stiffness;    /* N, kappa G A; likewise */
+    struct yaml_table rotary_inertia;     /* kg m, rho I; likewise */
     int mass_model;                       /* TRK_TEXT_LUMPED, ... */
     int beam;                             /* TRK_TEXT_EULER, ... */
     int64_t elements_per_bay;
@@ -39,11 +40,24 @@ struct trk_text_sleeper {
     double pitch_inertia;                 /* kg m2, not used by a vertical track */
 };
 
-struct trk_text_pad { struct yaml_table stiffness, damping; };  /* N/m, N s/m */
+struct trk_text_missing {
+    struct yaml_nums sleepers;            /* numbers, first and last of each range */
+    int rail;                             /* TRK_TEXT_LEFT, ... */
+};
+
+struct trk_text_pad {
+    struct yaml_table stiffness, damping; /* N/m, N s/m */
+    struct yaml_list missing;             /* of struct trk_text_missing */
+};
+
+struct trk_text_spring { struct yaml_table stiffness, damping, gap; };   /* N/m, N s/m, m; no knots where not given */
 
 struct trk_text_ballast {
     struct yaml_table stiffness, damping; /* N/m, N s/m of a whole sleeper */
     double edge;                          /* m, outer springs from the ends of the sleeper */
+    struct yaml_table gap;                /* m, void under the unloaded sleeper */
+    int tension;                          /* whether ballast without a gap holds both ways */
+    struct trk_text_spring left, middle, right;
 };
 
 struct trk_text_check {

@@ -105,7 +105,7 @@ static int rolls(const struct trk *t, int64_t sleeper)
     return t->sleeper_inertia[sleeper] > 0;
 }
 
-/* pad [2][sleepers] and ballast [3][sleepers]: stiffness for K, damping for C. */
+/* pad [2][sleepers] and ballast [3][sleepers]: stiffness for K, damping for C.  Ballast that does not touch has no part. */
 static void add_supports(const struct trk *t, const struct matrix *X, const double *pad, const double *ballast)
 {
     for (int64_t s = 0; s < t->sleepers; s++) {
@@ -116,8 +116,9 @@ static void add_supports(const struct trk *t, const struct matrix *X, const doub
                        (double[]){1, -1, -arm});                   /* e = w - (z + arm roll) */
         }
         for (int b = 0; b < TRK_BALLAST; b++)
-            add_spring(X, ballast[b * t->sleepers + s], 2, (int64_t[]){z, roll},
-                       (double[]){1, rolls(t, s) ? t->ballast_y[b * t->sleepers + s] : 0});
+            if (t->ballast_state[b * t->sleepers + s] != TRK_OPEN)
+                add_spring(X, ballast[b * t->sleepers + s], 2, (int64_t[]){z, roll},
+                           (double[]){1, rolls(t, s) ? t->ballast_y[b * t->sleepers + s] : 0});
     }
 }
 

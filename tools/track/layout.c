@@ -74,12 +74,21 @@ static double ballast_part(const struct trk_text *in, int spring, double total)
     return total / TRK_BALLAST;
 }
 
+/* The spring's own value at x where it has one, else `rest`. */
+static double own_at(const struct yaml_table *own, const struct trk_text *in, double x, double rest)
+{
+    return own->n ? at_station(own, in, x) : rest;
+}
+
 static const char *lay_ballast(struct trk *t, const struct trk_text *in)
 {
     const int64_t n = t->sleepers;
+    const struct trk_text_spring *own[TRK_BALLAST] = {&in->ballast.left, &in->ballast.middle, &in->ballast.right};
     double *k = numbers(t, TRK_BALLAST * n), *c = numbers(t, TRK_BALLAST * n), *y = numbers(t, TRK_BALLAST * n);
+    double *gap = numbers(t, TRK_BALLAST * n);
+    int64_t *state = trk_room(t, TRK_BALLAST * n, sizeof *state);
 
-    if (!k || !c || !y)
+    if (!k || !c || !y || !gap || !state)
         return REASON_MEMORY;
     for (int64_t s = 0; s < n; s++) {
         double x = t->sleeper_x[s], length = at_station(&in->sleeper.length, in, x), arm = length / 2 - in->ballast.edge;
@@ -87,14 +96,21 @@ static const char *lay_ballast(struct trk *t, const struct trk_text *in)
             return reason("ballast.edge: sleeper %lld of length %g m is too short for springs %g m from its ends",
                           (long long)t->sleeper_number[s], length, in->ballast.edge);
         for (int b = 0; b < TRK_BALLAST; b++) {
-            k[b * n + s] = ballast_part(in, b, at_station(&in->ballast.stiffness, in, x));
-            c[b * n + s] = ballast_part(in, b, at_station(&in->ballast.damping, in, x));
-            y[b * n + s] = (b - 1) * arm;
+            const int64_t i = b * n + s;
+            k[i] = own_at(&own[b]->stiffness, in, x, ballast_part(in, b, at_station(&in->ballast.stiffness, in, x)));
+            c[i] = own_at(&own[b]->damping, in, x, ballast_part(in, b, at_station(&in->ballast.damping, in, x)));
+            y[i] = (b - 1) * arm;
+            gap[i] = own_at(&own[b]->gap, in, x, at_station(&in->ballast.gap, in, x));
+            if (in->model == TRK_TEXT_MOVING_MASS && gap[i] > 0)
+                return "ballast.gap: a moving mass has no void beneath it";
+            state[i] = (in->ballast.tension || in->model == TRK_TEXT_MOVING_MASS) && !(gap[i] > 0) ? TRK_BONDED : TRK_CLOSED;
         }
     }
     t->ballast_k = k;
     t->ballast_c = c;
     t->ballast_y = y;
+    t->ballast_gap = gap;
+    t->ballast_state = state;
     return NULL;
 }
 

@@ -1,4 +1,5 @@
-/* A zone lists sleepers by number: all of them in the track, and no railpad twice. */
+/* A zone lists sleepers by number: all of them in the track, and no railpad twice.  So does who names railpads that are missing, which may
+ * stand in a zone all the same. */
 #include "tools/track/pads.h"
 
 #include <string.h>
@@ -23,27 +24,58 @@ static const char *twice(const struct trk *t, const struct trk_text *in, int64_t
                   z[one - 1].name, z[two - 1].name);
 }
 
+/* Ranges of item `number` of a list. */
+static const char *within(const struct trk *t, const char *list, int64_t number, const struct yaml_nums *sleepers)
+{
+    const int64_t from = t->sleeper_number[0], to = t->sleeper_number[t->sleepers - 1];
+
+    for (int64_t r = 0; r < sleepers->n; r += 2)
+        if (sleepers->x[r] < (double)from || sleepers->x[r + 1] > (double)to)
+            return reason("%s.%lld.sleepers: [%g, %g] is not within the track, sleepers %lld to %lld", list, (long long)number, sleepers->x[r],
+                          sleepers->x[r + 1], (long long)from, (long long)to);
+    return NULL;
+}
+
+/* Whether railpad i of [2][sleepers] is in range r. */
+static int in_range(const struct trk *t, int64_t i, const struct yaml_nums *sleepers, int64_t r, int rail)
+{
+    const double s = (double)t->sleeper_number[i % t->sleepers];
+
+    return s >= sleepers->x[r] && s <= sleepers->x[r + 1] && (rail == TRK_TEXT_BOTH || rail == i / t->sleepers);
+}
+
 /* zone [2][sleepers]: of each railpad, from 1, this one added. */
 static const char *mark_zone(const struct trk *t, const struct trk_text *in, int64_t number, int64_t *zone)
 {
     const struct trk_text_zone *z = (const struct trk_text_zone *)in->zone.item + number - 1;
-    const int64_t n = t->sleepers, from = t->sleeper_number[0], to = t->sleeper_number[n - 1];
+    const char *why = within(t, "zone", number, &z->sleepers);
 
-    for (int64_t r = 0; r < z->sleepers.n; r += 2) {
-        const double first = z->sleepers.x[r], last = z->sleepers.x[r + 1];
-        if (first < (double)from || last > (double)to)
-            return reason("zone.%lld.sleepers: [%g, %g] is not within the track, sleepers %lld to %lld", (long long)number, first, last,
-                          (long long)from, (long long)to);
-        for (int64_t i = 0; i < TRK_RAILS * n; i++) {
-            const double s = (double)t->sleeper_number[i % n];
-            if (s < first || s > last || (z->rail != TRK_TEXT_BOTH && z->rail != i / n))
-                continue;
-            if (zone[i])
-                return twice(t, in, i, zone[i], number);
-            zone[i] = number;
-        }
+    for (int64_t r = 0; r < z->sleepers.n && !why; r += 2)
+        for (int64_t i = 0; i < TRK_RAILS * t->sleepers; i++)
+            if (in_range(t, i, &z->sleepers, r, z->rail)) {
+                if (zone[i])
+                    return twice(t, in, i, zone[i], number);
+                zone[i] = number;
+            }
+    return why;
+}
+
+/* A railpad that is missing has neither stiffness nor damping: k, c [2][sleepers]. */
+static const char *leave_out(const struct trk *t, const struct trk_text *in, double *k, double *c)
+{
+    const struct trk_text_missing *m = in->railpad.missing.item;
+    const char *why = NULL;
+
+    if (in->model == TRK_TEXT_MOVING_MASS && in->railpad.missing.n)
+        return "railpad.missing: a moving mass has both its railpads";
+    for (int64_t j = 0; j < in->railpad.missing.n && !why; j++) {
+        why = within(t, "railpad.missing", j + 1, &m[j].sleepers);
+        for (int64_t i = 0; i < TRK_RAILS * t->sleepers && !why; i++)
+            for (int64_t r = 0; r < m[j].sleepers.n; r += 2)
+                if (in_range(t, i, &m[j].sleepers, r, m[j].rail))
+                    k[i] = c[i] = 0;
     }
-    return NULL;
+    return why;
 }
 
 const char *pads_lay(struct trk *t, const struct trk_text *in)
@@ -66,6 +98,8 @@ const char *pads_lay(struct trk *t, const struct trk_text *in)
         k[i] = own.stiffness > 0 ? own.stiffness : at_station(&in->railpad.stiffness, in, t->sleeper_x[i % n]);
         c[i] = own.damping > 0 ? own.damping : at_station(&in->railpad.damping, in, t->sleeper_x[i % n]);
     }
+    if (!why)
+        why = leave_out(t, in, k, c);
     t->pad_k = k;
     t->pad_c = c;
     t->pad_zone = zone;
