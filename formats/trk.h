@@ -47,6 +47,9 @@ struct trk {
     const int64_t *ballast_state;      /* [3][sleepers] TRK_BONDED, ...; TRK_OPEN is not in K and C */
     const double *lateral_m;           /* kg [1] of each rail moving sideways with a wheel, or of a moving mass with a wheelset */
     const double *lateral_k, *lateral_c; /* N/m, N s/m [1] between it and the ground; k = 0: rails that do not yield sideways */
+    const double *sleeper_lateral_k, *sleeper_lateral_c; /* N/m, N s/m [1] of a moving mass, sleeper to ground: its rails then move sideways
+                                          each by itself, against the sleeper; k = 0: rails and sleeper as one, against the ground */
+    const double *running_m;           /* kg [1] of each rail of a moving mass under a wheel; 0: none, its pad in series with the contact */
     const int64_t *check_rail;         /* [1] side of the check rail, TRK_LEFT or TRK_RIGHT */
     const double *check_k, *check_c;   /* N/m, N s/m [1] lateral, against the ground */
     const double *check_x;             /* m [checks] stations, increasing; there is no check rail beyond the ends */

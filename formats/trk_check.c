@@ -38,6 +38,9 @@ static const char *check_numbers(const struct trk *t)
            (why = at_least("lateral.m", t->lateral_m, 1, 0, !(*t->lateral_k > 0))) ||
            (why = at_least("lateral.k", t->lateral_k, 1, 0, 1)) ||
            (why = at_least("lateral.c", t->lateral_c, 1, 0, 1)) ||
+           (why = at_least("sleeper.lateral.k", t->sleeper_lateral_k, 1, 0, 1)) ||
+           (why = at_least("sleeper.lateral.c", t->sleeper_lateral_c, 1, 0, 1)) ||
+           (why = at_least("running.m", t->running_m, 1, 0, 1)) ||
            (why = at_least("check.k", t->check_k, 1, 0, 1)) ||
            (why = at_least("check.c", t->check_c, 1, 0, 1)) ||
            (why = increasing("bending.x", t->bending_x, t->knots)) ||

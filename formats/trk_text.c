@@ -24,6 +24,13 @@ static const struct yaml_field LATERAL_FIELDS[] = {
 
 static const struct yaml_schema LATERAL = {"lateral", sizeof(struct trk_text_lateral), LATERAL_FIELDS};
 
+static const struct yaml_field GROUND_FIELDS[] = {
+    {"stiffness", YAML_NUM, AT(trk_text_ground, stiffness), YAML_POSITIVE, 1e12, "N/m", NULL, "between the sleeper and the ground", NULL, NULL},
+    {"damping", YAML_NUM, AT(trk_text_ground, damping), 0, 1e9, "N s/m", "0", "likewise", NULL, NULL},
+    {0}};
+
+static const struct yaml_schema GROUND = {"lateral", sizeof(struct trk_text_ground), GROUND_FIELDS};
+
 static const struct yaml_field OWN_FIELDS[] = {
     {"bending_stiffness", YAML_TABLE, AT(trk_text_own, bending_stiffness), YAML_POSITIVE, 1e12, "N m2", YAML_ABSENT,
      "of this rail, instead of that of both", NULL, NULL},
@@ -53,6 +60,8 @@ static const struct yaml_field RAIL_FIELDS[] = {
     {"right", YAML_MAP, AT(trk_text_rail, right), 0, 0, "", YAML_ABSENT, "what is different in the right rail", &OWN, NULL},
     {"lateral", YAML_MAP, AT(trk_text_rail, lateral), 0, 0, "", YAML_ABSENT,
      "each rail yields sideways under each wheel by itself, a moving mass as one; absent: not at all", &LATERAL, NULL},
+    {"running_mass", YAML_NUM, AT(trk_text_rail, running_mass), 0, 1e5, "kg", "0",
+     "of each rail of a moving mass under a wheel; 0: none, its railpad is in series with the contact", NULL, NULL},
     {0}};
 
 static const struct yaml_field SLEEPER_FIELDS[] = {
@@ -61,6 +70,8 @@ static const struct yaml_field SLEEPER_FIELDS[] = {
     {"roll_inertia", YAML_TABLE, AT(trk_text_sleeper, roll_inertia), YAML_POSITIVE, 1e7, "kg m2", NULL,
      "about the track's direction, through the sleeper's centre", NULL, NULL},
     {"roll", YAML_CHOICE, AT(trk_text_sleeper, roll), 0, 0, "", "free", "whether it rolls; that of a moving mass may be held", NULL, ROLLS},
+    {"lateral", YAML_MAP, AT(trk_text_sleeper, lateral), 0, 0, "", YAML_ABSENT,
+     "of a moving mass, then each rail yields sideways against it by itself; absent: rails and sleeper as one", &GROUND, NULL},
     {"length", YAML_TABLE, AT(trk_text_sleeper, length), 0.1, 20, "m", NULL, "across the track", NULL, NULL},
     {"centre", YAML_TABLE, AT(trk_text_sleeper, centre), -10, 10, "m", "0", "lateral position of its centre, right of the track's",
      NULL, NULL},
@@ -252,6 +263,10 @@ static const char *check(const struct trk_text *in)
         return reason("name: \"%s\" is longer than 63 letters", in->name);
     if (in->sleeper.roll == TRK_TEXT_HELD && in->model != TRK_TEXT_MOVING_MASS)
         return "sleeper.roll: held is for model: moving_mass alone";
+    if (in->model != TRK_TEXT_MOVING_MASS && (in->rail.running_mass > 0 || in->sleeper.lateral.stiffness > 0))
+        return "rail.running_mass, sleeper.lateral: they are for model: moving_mass alone";
+    if (in->sleeper.lateral.stiffness > 0 && !(in->rail.lateral.stiffness > 0))
+        return "sleeper.lateral: rail.lateral is missing, what the rails stand against it with";
     if ((in->model == TRK_TEXT_FIXED && (why = check_rail(&in->rail))) || (why = check_curve(&in->curve)) ||
         (why = check_check_rail(&in->check_rail)) || (why = check_missing(&in->railpad.missing)))
         return why;

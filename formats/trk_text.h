@@ -14,6 +14,8 @@ enum { TRK_TEXT_LEFT, TRK_TEXT_RIGHT, TRK_TEXT_BOTH };   /* zone.rail */
 
 struct trk_text_lateral { double mass, stiffness, damping; };   /* kg, N/m, N s/m; all 0 where not given */
 
+struct trk_text_ground { double stiffness, damping; };          /* N/m, N s/m; 0 where not given */
+
 /* Of one rail instead of both: N m2, kg/m, kg m2, N, kg m; no knots where not given. */
 struct trk_text_own { struct yaml_table bending_stiffness, mass, pitch_inertia, shear_stiffness, rotary_inertia; };
 
@@ -28,6 +30,7 @@ struct trk_text_rail {
     int64_t elements_per_bay;
     struct trk_text_own left, right;
     struct trk_text_lateral lateral;
+    double running_mass;                  /* kg, of a moving mass under a wheel */
 };
 
 struct trk_text_sleeper {
@@ -36,6 +39,7 @@ struct trk_text_sleeper {
     struct yaml_table roll_inertia;       /* kg m2 */
     struct yaml_table length;             /* m */
     struct yaml_table centre;             /* m, lateral, from the track's centre line */
+    struct trk_text_ground lateral;       /* of a moving mass */
     int roll;                             /* TRK_TEXT_FREE, ... */
     double pitch_inertia;                 /* kg m2, not used by a vertical track */
 };

@@ -7,6 +7,7 @@
 #include "formats/case_text.h"
 #include "formats/ctab.h"
 #include "tools/cli/cli.h"
+#include "tools/integrate/options.h"
 #include "tools/integrate/record.h"
 #include "tools/integrate/start.h"
 
@@ -145,47 +146,6 @@ static void read_inputs(struct inputs *in, const char *path)
         free(name[i]);
 }
 
-static struct wheel_law contact_law(const struct case_text *c)
-{
-    struct wheel_law law = {
-        .normal = c->contact.law == CASE_HERTZ ? WHEEL_HERTZ : WHEEL_LINEAR,
-        .hertz_damping = c->contact.hertz_damping,
-        .friction = c->friction,
-        .step = c->step,
-    };
-
-    wheel_condense(&law, c->contact.stiffness, c->contact.damping, c->contact.series);
-    fastsim_begin(&law.grid, (int)c->contact.grid);
-    return law;
-}
-
-static struct passage_options passage_options(const struct case_text *c)
-{
-    if (c->end <= c->start)
-        cli_die("case: end, %g m, must lie beyond start, %g m", c->end, c->start);
-    return (struct passage_options){
-        .speed = c->speed / 3.6, /* km/h */
-        .start = c->start,
-        .end = c->end,
-        .step = c->step,
-        .law = contact_law(c),
-        .dips = c->dip.n,
-        .dip = c->dip.item,
-    };
-}
-
-/* Whole steps between samples. */
-static int64_t sampling(const struct case_text *c)
-{
-    double every = 1 / (c->sampling * c->step);
-
-    if (every <= 1)
-        return 1;
-    if (fabs(every - rint(every)) > 1e-6 * every)
-        cli_die("case: sampling, %g Hz, is not a whole number of steps of %g s", c->sampling, c->step);
-    return (int64_t)rint(every);
-}
-
 static double seconds(void)
 {
     struct timespec t;
@@ -259,9 +219,11 @@ int main(int argc, char **argv)
     static struct inputs in;
     static struct passage p;
     static struct record r;
+    struct passage_options o;
     struct vxf_out head;
     struct cli_out out;
     double begun = seconds(), started, residual;
+    int64_t every;
     const char *path = parse(argc, argv);
 
     if (!path) {
@@ -269,10 +231,11 @@ int main(int argc, char **argv)
         return cli_end();
     }
     read_inputs(&in, path);
-    struct passage_options o = passage_options(&in.text);
+    cli_check("case", options_read(&o, &in.text, in.text.speed / 3.6));
+    cli_check("case", options_sampling(&in.text, &every));
     cli_check("case", passage_new(&p, &o, &in.track, &in.vehicle, &in.table[0], &in.table[1]));
     cli_check("start", passage_start(&p, &residual));
-    cli_check("run", record_new(&r, &p, in.text.channels.group, sampling(&in.text)));
+    cli_check("run", record_new(&r, &p, in.text.channels.group, every));
     describe(&in, &r, &head);
     started = seconds();
     cli_create_part(&out, opt.out);

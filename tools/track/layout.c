@@ -117,12 +117,19 @@ static const char *lay_ballast(struct trk *t, const struct trk_text *in)
 static const char *lay_lateral(struct trk *t, const struct trk_text *in)
 {
     double *m = numbers(t, 1), *k = numbers(t, 1), *c = numbers(t, 1);
+    double *ground_k = numbers(t, 1), *ground_c = numbers(t, 1), *running = numbers(t, 1);
 
-    if (!m || !k || !c)
+    if (!m || !k || !c || !ground_k || !ground_c || !running)
         return REASON_MEMORY;
     *m = in->rail.lateral.mass;
     *k = in->rail.lateral.stiffness;
     *c = in->rail.lateral.damping;
+    *ground_k = in->sleeper.lateral.stiffness;
+    *ground_c = in->sleeper.lateral.damping;
+    *running = in->rail.running_mass;
+    t->sleeper_lateral_k = ground_k;
+    t->sleeper_lateral_c = ground_c;
+    t->running_m = running;
     t->lateral_m = m;
     t->lateral_k = k;
     t->lateral_c = c;

@@ -1,0 +1,14 @@
+/* What a case asks of a passage, in the units and structs of its kernels. */
+#ifndef VX_INTEGRATE_OPTIONS_H
+#define VX_INTEGRATE_OPTIONS_H
+
+#include "formats/case_text.h"
+#include "tools/integrate/passage.h"
+
+/* speed in m/s, which the case has in km/h.  The dips of c must outlive o. */
+const char *options_read(struct passage_options *o, const struct case_text *c, double speed);
+
+/* Whole steps between samples into *every. */
+const char *options_sampling(const struct case_text *c, int64_t *every);
+
+#endif
