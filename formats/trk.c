@@ -9,7 +9,7 @@
 #include "formats/vxf_member.h"
 
 /* Sizes an array may have. */
-enum size { ONE, RAILS, BALLAST, NODES, ELEMENTS, KNOTS, SLEEPERS, CHECKS, CURVES, ZONES, LETTERS, COLUMNS, ENTRIES, SIZES };
+enum size { ONE, RAILS, BALLAST, NODES, ELEMENTS, KNOTS, SLEEPERS, CHECKS, CURVES, CANTS, ZONES, LETTERS, COLUMNS, ENTRIES, SIZES };
 
 enum {
     DOFS_NODE = 4,               /* wl tl wr tr */
@@ -53,6 +53,8 @@ static const struct vxf_member TABLE[] = {
     {"check.play",     "m",     VXF_F64, 1, {CHECKS, ONE},       AT(check_play)},
     {"curve.x",        "m",     VXF_F64, 1, {CURVES, ONE},       AT(curve_x)},
     {"curvature",      "1/m",   VXF_F64, 1, {CURVES, ONE},       AT(curvature)},
+    {"cant.x",         "m",     VXF_F64, 1, {CANTS, ONE},        AT(cant_x)},
+    {"cant",           "m",     VXF_F64, 1, {CANTS, ONE},        AT(cant)},
     {"zone.name",      "text",  VXF_U8,  2, {ZONES, LETTERS},    AT(zone_name)},
     {"pad.zone",       "1",     VXF_I64, 2, {RAILS, SLEEPERS},   AT(pad_zone)},
     {"node.dof",       "1",     VXF_I64, 1, {NODES, ONE},        AT(node_dof)},
@@ -103,6 +105,7 @@ const char *trk_read(struct trk *t, const struct vxf *f)
     t->knots = size[KNOTS];
     t->checks = size[CHECKS];
     t->curves = size[CURVES];
+    t->cants = size[CANTS];
     t->zones = size[ZONES];
     return trk_check(t, size[ENTRIES]);
 }
@@ -114,7 +117,7 @@ const char *trk_put(const struct trk *t, struct vxf_out *o)
         return why;
     const int64_t size[SIZES] = {
         [ONE] = 1, [RAILS] = TRK_RAILS, [BALLAST] = TRK_BALLAST, [NODES] = t->nodes, [ELEMENTS] = t->nodes - 1,
-        [KNOTS] = t->knots, [SLEEPERS] = t->sleepers, [CHECKS] = t->checks, [CURVES] = t->curves, [ZONES] = t->zones,
+        [KNOTS] = t->knots, [SLEEPERS] = t->sleepers, [CHECKS] = t->checks, [CURVES] = t->curves, [CANTS] = t->cants, [ZONES] = t->zones,
         [LETTERS] = sizeof t->zone_name[0], [COLUMNS] = t->dofs + 1, [ENTRIES] = t->Ap[t->dofs]};
     vxf_put_key(o, "NAME", "%s", t->name);
     vxf_put(o, "rail.spacing", VXF_F64, "m", 0, NULL, &t->rail_spacing);

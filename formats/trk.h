@@ -24,6 +24,7 @@ struct trk {
     int64_t dofs;                      /* 4 nodes + 2 sleepers */
     int64_t knots;                     /* of the bending stiffness */
     int64_t curves;
+    int64_t cants;                     /* knots of the cant; 0: level */
     int64_t zones;
     int64_t checks;                    /* knots of the check rail's play; 0: no check rail */
     const double *x;                   /* m [nodes] station, increasing */
@@ -56,6 +57,8 @@ struct trk {
     const double *check_play;          /* m [checks] free play of the back of the flange, wheelset centred; straight between */
     const double *curve_x;             /* m [curves] station from which the curvature holds, to the next or the end */
     const double *curvature;           /* 1/m [curves] positive to the right; 0 before the first */
+    const double *cant_x;              /* m [cants] stations, increasing */
+    const double *cant;                /* m [cants] of the left rail over the right one, at rail_spacing; straight between, constant beyond */
     const char (*zone_name)[32];       /* [zones] */
     const int64_t *pad_zone;           /* [2][sleepers] zone of the railpad, from 1; 0 in none */
     const int64_t *node_dof;           /* [nodes] number of wl; tl, wr, tr follow */

@@ -35,6 +35,7 @@ static const char *check_numbers(const struct trk *t)
            (why = increasing("sleeper.x", t->sleeper_x, s)) ||
            (why = increasing("check.x", t->check_x, t->checks)) ||
            (why = increasing("curve.x", t->curve_x, t->curves)) ||
+           (why = increasing("cant.x", t->cant_x, t->cants)) ||
            (why = at_least("lateral.m", t->lateral_m, 1, 0, !(*t->lateral_k > 0))) ||
            (why = at_least("lateral.k", t->lateral_k, 1, 0, 1)) ||
            (why = at_least("lateral.c", t->lateral_c, 1, 0, 1)) ||

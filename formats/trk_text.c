@@ -170,6 +170,8 @@ static const struct yaml_field TRACK_FIELDS[] = {
      NULL},
     {"curve", YAML_LIST, AT(trk_text, curve), 0, 0, "", YAML_ABSENT, "curvature along the track; straight before the first", &CURVE,
      NULL},
+    {"cant", YAML_TABLE, AT(trk_text, cant), -0.3, 0.3, "m", "0",
+     "height of the left rail over the right one, straight over station; positive in a curve to the right", NULL, NULL},
     {"zone", YAML_LIST, AT(trk_text, zone), 0, 0, "", YAML_ABSENT, "railpads of their own", &ZONE, NULL},
     {0}};
 

@@ -93,6 +93,7 @@ struct trk_text {
     struct trk_text_ballast ballast;
     struct yaml_list check_rail;          /* of struct trk_text_check, none or one */
     struct yaml_list curve;               /* of struct trk_text_curve */
+    struct yaml_table cant;               /* m over station */
     struct yaml_list zone;                /* of struct trk_text_zone */
 };
 

@@ -106,6 +106,8 @@ const char *passage_new(struct passage *p, const struct passage_options *o, cons
         why = check_step(p);
     if (why)
         passage_free(p);
+    else
+        alignment_raise(&p->alignment, track->cants, track->cant_x, track->cant, track->rail_spacing);
     return why;
 }
 

@@ -210,12 +210,13 @@ static void sample_wheels(const struct record *r, const struct passage *p)
 static void sample_bodies(const struct record *r, const struct passage *p)
 {
     for (int64_t i = 0; i < r->run.bodies; i++) {
-        double q[6], v[6];
+        double q[6], v[6], a[6];
         train_in_frame(&p->train, i, q, v);
+        train_felt(&p->train, i, a);
         for (int k = 0; k < 6; k++) {
             put(r, RUN_BODY_Q, 6 * i + k, q[k]);
             put(r, RUN_BODY_V, 6 * i + k, v[k]);
-            put(r, RUN_BODY_A, 6 * i + k, p->train.a[6 * i + k]);
+            put(r, RUN_BODY_A, 6 * i + k, a[k]);
         }
         put(r, RUN_BODY_OFFSET, i, p->train.line[i].offset);
         put(r, RUN_BODY_HEADING, i, p->train.line[i].heading);

@@ -238,6 +238,9 @@ static const char *check_straight(const struct passage *p)
         if (p->train.line[i].heading != 0 || p->train.line[i].offset != 0)
             return reason("%s would start in or behind a curve: the start is found on straight track only, before %g m",
                           p->vehicle->body_name[i], p->alignment.x[0]);
+        else if (p->train.line[i].cant != 0)
+            return reason("%s would start on cant: the start is found on level track only, before %g m", p->vehicle->body_name[i],
+                          p->alignment.cant_x[0]);
     return NULL;
 }
 

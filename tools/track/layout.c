@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "formats/reason.h"
+#include "tools/track/cant.h"
 #include "tools/track/pads.h"
 #include "tools/track/rails.h"
 
@@ -216,7 +217,8 @@ const char *layout_track(struct trk *t, const struct trk_text *in)
     if (in->model == TRK_TEXT_FIXED && (t->sleepers < 2 || fabs(bays - (double)t->sleepers) > WHOLE))
         return reason("length: %g m is not a whole number, two or more, of sleeper spacings of %g m", in->length, in->sleeper.spacing);
     if ((why = rails_lay(t, in)) || (why = lay_sleepers(t, in)) || (why = check_centres(t, in)) || (why = lay_ballast(t, in)) || (why = pads_lay(t, in)) ||
-        (why = lay_lateral(t, in)) || (why = lay_check_rail(t, in)) || (why = lay_curve(t, in)))
+        (why = lay_lateral(t, in)) || (why = lay_check_rail(t, in)) || (why = lay_curve(t, in)) ||
+        (why = cant_lay(t, in)))
         return why;
     return number_dofs(t);
 }
