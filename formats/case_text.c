@@ -6,6 +6,7 @@ static const char *const routes[] = {"through", "diverging", NULL};
 static const char *const directions[] = {"facing", NULL};
 static const char *const schemes[] = {"explicit", NULL};
 static const char *const laws[] = {"hertz", "linear", NULL};
+static const char *const sides[] = {"both", "left", "right", NULL};
 
 #define IN_CONTACT(member) (AT(contact.member) - AT(contact))
 static const struct yaml_schema contact_schema = {
@@ -48,6 +49,29 @@ static const struct yaml_schema dip_schema = {
         {0},
     }};
 
+#define IN_FALLING(member) (AT(falling.member) - AT(falling))
+static const struct yaml_schema falling_schema = {
+    "falling", sizeof((struct case_text *)0)->falling, (const struct yaml_field[]){
+        {"limit", YAML_NUM, IN_FALLING(limit), 0.01, 1, "1", "1", "share of friction left at large slip; 1 is constant friction", NULL, NULL},
+        {"decay", YAML_NUM, IN_FALLING(decay), 0, 1e3, "s/m", "0.6", "over the velocity of slip", NULL, NULL},
+        {0},
+    }};
+
+static const struct yaml_schema friction_schema = {
+    "friction_on", sizeof(struct case_friction), (const struct yaml_field[]){
+        {"friction", YAML_NUM, offsetof(struct case_friction, friction), 0.01, 1, "1", NULL,
+         "coefficient of friction of these contacts", NULL, NULL},
+        {"side", YAML_CHOICE, offsetof(struct case_friction, side), 0, 0, "", "both", "which rail", NULL, sides},
+        {"body", YAML_INT, offsetof(struct case_friction, body), -1, 1e6, "1", "-1",
+         "number of the rail body in the contact table, from 0; -1 is any", NULL, NULL},
+        {"from", YAML_NUM, offsetof(struct case_friction, from), -YAML_NO_LIMIT, YAML_NO_LIMIT, "m", "-1e9",
+         "station of the wheel", NULL, NULL},
+        {"to", YAML_NUM, offsetof(struct case_friction, to), -YAML_NO_LIMIT, YAML_NO_LIMIT, "m", "1e9", "and up to", NULL, NULL},
+        {"angle", YAML_NUM, offsetof(struct case_friction, angle), 0, 1.6, "rad", "0",
+         "contact angle from which on, either way", NULL, NULL},
+        {0},
+    }};
+
 #define FILE_FIELD(key, text) {#key, YAML_TEXT, AT(key), 0, 0, "", YAML_ABSENT, text, NULL, NULL}
 const struct yaml_schema case_text_schema = {
     "case", sizeof(struct case_text), (const struct yaml_field[]){
@@ -60,6 +84,8 @@ const struct yaml_schema case_text_schema = {
         {"route", YAML_CHOICE, AT(route), 0, 0, "", "through", "which route track and sections describe", NULL, routes},
         {"direction", YAML_CHOICE, AT(direction), 0, 0, "", "facing", "facing: with increasing station", NULL, directions},
         {"friction", YAML_NUM, AT(friction), 0.01, 1, "1", "0.30", "coefficient of friction", NULL, NULL},
+        {"falling", YAML_MAP, AT(falling), 0, 0, "", "{}", "friction that falls with slip", &falling_schema, NULL},
+        {"friction_on", YAML_LIST, AT(friction_on), 0, 0, "", "[]", "contacts with a friction of their own", &friction_schema, NULL},
         {"start", YAML_NUM, AT(start), -YAML_NO_LIMIT, YAML_NO_LIMIT, "m", "-60",
          "station of the front wheelset at the start", NULL, NULL},
         {"end", YAML_NUM, AT(end), -YAML_NO_LIMIT, YAML_NO_LIMIT, "m", "60", "and at the end", NULL, NULL},

@@ -7,9 +7,19 @@
 
 enum case_route { CASE_THROUGH, CASE_DIVERGING };
 enum case_law { CASE_HERTZ, CASE_LINEAR };
+enum case_side { CASE_BOTH, CASE_LEFT, CASE_RIGHT };
 
 struct case_dip {
     double from, length, depth;              /* m */
+};
+
+/* Contacts with a coefficient of friction of their own. */
+struct case_friction {
+    int side;                                /* enum case_side */
+    int64_t body;                            /* number of the rail body in the contact table, from 0; -1 is any */
+    double from, to;                         /* m, stations of the wheel */
+    double angle;                            /* rad, contact angle from which on, either way */
+    double friction;                         /* 1 */
 };
 
 struct case_text {
@@ -19,6 +29,8 @@ struct case_text {
     double speed;                            /* km/h: the one input that is not SI */
     int route, direction;                    /* enum case_route; facing is the only direction */
     double friction;                         /* 1 */
+    struct { double limit, decay; } falling; /* 1, s/m: friction times (1 - limit) exp(-decay w) + limit, w the slip's velocity */
+    struct yaml_list friction_on;            /* of struct case_friction */
     double start, end;                       /* m, stations of the front wheelset */
     double step;                             /* s */
     int scheme;                              /* explicit is the only one */

@@ -46,6 +46,19 @@ vxpost --wheels "$dir/a.run" >"$dir/wheels.csv"
 vxpost --wheels "$dir/e.run" | cmp -s - "$dir/wheels.csv"
 ok $? "extremes do not depend on the channels kept"
 
+# Friction: a number everywhere, an item of friction_on that holds everywhere, and a falling one that does not fall.
+vxrun --set friction=0.1 -o "$dir/low.run" "$plain"
+sed 's/^  end: .*/&\n  friction_on: [{friction: 0.1, side: left}, {friction: 0.1, side: right}]/' "$plain" >"$dir/cases/on.yaml"
+vxrun -o "$dir/on.run" "$dir/cases/on.yaml"
+vxdump --csv "$dir/low.run" wheel.T >"$dir/low.csv" && vxdump --csv "$dir/on.run" wheel.T | cmp -s - "$dir/low.csv"
+ok $? "friction_on both sides is friction"
+vxrun --set falling.limit=0.4 --set falling.decay=0 -o "$dir/level.run" "$plain"
+vxcmp "$dir/level.run" "$dir/a.run" >/dev/null
+ok $? "friction that does not fall is constant"
+vxrun --set falling.limit=0.01 --set falling.decay=1e3 -o "$dir/fallen.run" "$plain"
+! vxcmp "$dir/fallen.run" "$dir/a.run" >/dev/null
+ok $? "friction that falls is not"
+
 vxrun --master >"$dir/master.yaml"
 sed -e 's/name: .*/name: x/' -e 's/speed_kmh: .*/speed_kmh: 80/' -e '/^  dip:/,$d' "$dir/master.yaml" >"$dir/filled.yaml"
 fails 2 "the master filled in, without a dip, lacks only its files" vxrun "$dir/filled.yaml"

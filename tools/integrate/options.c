@@ -9,6 +9,7 @@ static struct wheel_law contact_law(const struct case_text *c)
         .normal = c->contact.law == CASE_HERTZ ? WHEEL_HERTZ : WHEEL_LINEAR,
         .hertz_damping = c->contact.hertz_damping,
         .friction = c->friction,
+        .varied = {c->falling.limit, c->falling.decay, c->friction_on.n, c->friction_on.item},
         .step = c->step,
     };
 

@@ -5,7 +5,7 @@
 #include "formats/case_text.h"
 #include "tools/integrate/passage.h"
 
-/* speed in m/s, which the case has in km/h.  The dips of c must outlive o. */
+/* speed in m/s, which the case has in km/h.  The dips and rules of friction of c must outlive o. */
 const char *options_read(struct passage_options *o, const struct case_text *c, double speed);
 
 /* Whole steps between samples into *every. */

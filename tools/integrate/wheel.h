@@ -8,6 +8,7 @@
 #include "formats/ctab.h"
 #include "formats/run.h"
 #include "tools/creep/fastsim.h"
+#include "tools/creep/friction.h"
 
 enum wheel_normal { WHEEL_HERTZ, WHEEL_LINEAR };
 
@@ -17,6 +18,7 @@ struct wheel_law {
     double stiffness, damping;   /* N/m, N s/m along the normal: WHEEL_LINEAR, a spring in series condensed */
     double hertz_damping;        /* s/m, N = C d^1.5 (1 + hertz_damping d'): 0 is plain Hertz */
     double friction;             /* 1 */
+    struct friction varied;      /* and how it varies by place and slip */
     double step;                 /* s */
     struct fastsim grid;
 };
