@@ -162,8 +162,8 @@ static void start(struct fixture *f, double still)
     for (int64_t i = 0; i < f->vehicle.bodies; i++)
         for (int k = VEH_Z; k <= VEH_PITCH; k++)
             body = fmax(body, fabs(p.train.a[6 * i + k]));
-    for (int64_t k = 0; k < LUMPED_PARTS * p.rails.stride; k++)
-        rail = fmax(rail, p.rails.inverse[k] > 0 ? fabs(p.rails.a[k]) : 0);
+    for (int64_t k = 0; k < LUMPED_PARTS * p.rails.lumped.stride; k++)
+        rail = fmax(rail, p.rails.lumped.inverse[k] > 0 ? fabs(p.rails.lumped.a[k]) : 0);
     printf("# %s: Q off its static value by %.1e, bodies accelerate by %.1e m/s2, rails and sleepers by %.1e m/s2\n", f->vehicle.name, load,
            body, rail);
     near(load, 0, 1e-4, "wheel forces are the static loads");

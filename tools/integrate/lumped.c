@@ -161,6 +161,19 @@ void lumped_free(struct lumped *l)
     *l = (struct lumped){0};
 }
 
+void lumped_set(struct lumped *l, const double *u)
+{
+    const struct trk *t = l->track;
+
+    memset(l->v, 0, (size_t)(LUMPED_PARTS * l->stride) * sizeof *l->v);
+    for (int64_t i = 0; i < t->nodes; i++)
+        for (int part = LUMPED_WL; part <= LUMPED_TR; part++)
+            l->u[part * l->stride + i] = u[t->node_dof[i] + part];
+    for (int64_t i = 0; i < t->sleepers; i++)
+        for (int part = LUMPED_Z; part <= LUMPED_ROLL; part++)
+            l->u[part * l->stride + i] = u[t->sleeper_dof[i] + part - LUMPED_Z];
+}
+
 /* ---- accelerations ---- */
 
 /* End forces of the elements, with the elongation w1 - w2 and the pitches t1, t2 (K of beam.h):
@@ -258,33 +271,12 @@ void lumped_accelerate(struct lumped *l)
 
 /* ---- wheels ---- */
 
-/* Nodes stand evenly or nearly so: guess, then walk. */
-int64_t lumped_element(const struct lumped *l, double x)
+struct wheel_place lumped_find(const struct lumped *l, int rail, double x)
 {
-    const double *node = l->track->x;
-    int64_t last = l->n - 2, i = (int64_t)((x - node[0]) / (node[last + 1] - node[0]) * (double)(last + 1));
-
-    i = i < 0 ? 0 : i > last ? last : i;
-    while (i > 0 && x < node[i])
-        i--;
-    while (i < last && x >= node[i + 1])
-        i++;
-    return i;
+    return wheel_place_find(l->track, l->beam[rail], x);
 }
 
-struct lumped_place lumped_find(const struct lumped *l, int rail, double x)
-{
-    struct lumped_place p = {.node = lumped_element(l, x)};
-    const struct beam *b = &l->beam[rail][p.node];
-    const double a = x - b->from;
-
-    beam_shape(b, a, p.shape);
-    beam_slope(b, a, p.slope);
-    p.compliance = beam_compliance(b, a);
-    return p;
-}
-
-double lumped_sample(const struct lumped *l, int rail, const struct lumped_place *p, const double f[4], const double *state)
+double lumped_sample(const struct lumped *l, int rail, const struct wheel_place *p, const double f[4], const double *state)
 {
     const double *w = state + (rail ? LUMPED_WR : LUMPED_WL) * l->stride + p->node;
     const double *t = state + (rail ? LUMPED_TR : LUMPED_TL) * l->stride + p->node;
@@ -293,7 +285,7 @@ double lumped_sample(const struct lumped *l, int rail, const struct lumped_place
 }
 
 /* The shares of the force at the ends, and off the element's own end moments those of its held ends. */
-void lumped_load(struct lumped *l, int rail, const struct lumped_place *p, double F)
+void lumped_load(struct lumped *l, int rail, const struct wheel_place *p, double F)
 {
     int64_t w = (rail ? LUMPED_WR : LUMPED_WL) * l->stride + p->node;
     int64_t t = (rail ? LUMPED_TR : LUMPED_TL) * l->stride + p->node;

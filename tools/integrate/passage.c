@@ -1,17 +1,14 @@
 #include "tools/integrate/passage.h"
 #include "formats/reason.h"
 #include "tools/contact/lookup.h"
-#include "tools/contact/clones.h"
 #include "tools/creep/kalker.h"
 #include "tools/integrate/check_rail.h"
+#include "tools/integrate/two_step.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Of 2/omega of the track alone.  The turnout's diverging route at 80 km/h keeps its forces at 0.84; at 0.89 the creep forces of the flange
- * shake the rail, at 0.94 Hertz's stiffness on the nodes does, and without a train the dampers at 0.99. */
-#define STEP_MARGIN 0.84
 #define SPIN_MARGIN 0.8    /* of 1/rate, below */
 #define END_MARGIN 5.0     /* m that every wheel keeps from a free rail end */
 
@@ -68,9 +65,7 @@ static const char *check_step(struct passage *p)
 
     for (int64_t i = 0; i < p->vehicle->wheelsets && p->o.law.friction > 0; i++)
         spin = fmax(spin, spin_rate(p, i));
-    p->limit = STEP_MARGIN * 2 / lumped_highest(&p->rails);
-    if (p->o.step > p->limit)
-        return reason("step %g s is beyond the limit of the explicit scheme on this track, %.3g s", p->o.step, p->limit);
+    p->limit = p->rails.limit;
     if (p->o.step * spin > SPIN_MARGIN)
         return reason("step %g s is beyond the limit of the wheelsets' spin at %.3g m/s, %.3g s", p->o.step, p->o.speed, SPIN_MARGIN / spin);
     if (spin > 0)
@@ -102,7 +97,7 @@ const char *passage_new(struct passage *p, const struct passage_options *o, cons
         why = REASON_MEMORY;
     else if (!(why = check_ends(o, track, vehicle)) && !(why = check_tables(vehicle, left, right)) &&
              !(why = alignment_new(&p->alignment, track->curves, track->curve_x, track->curvature)) &&
-             !(why = lumped_new(&p->rails, track, vehicle->gravity)) && !(why = train_new(&p->train, vehicle, o->speed)))
+             !(why = way_new(&p->rails, track, vehicle->gravity, o->step, WAY_EXPLICIT)) && !(why = train_new(&p->train, vehicle, o->speed)))
         why = check_step(p);
     if (why)
         passage_free(p);
@@ -114,7 +109,7 @@ const char *passage_new(struct passage *p, const struct passage_options *o, cons
 void passage_free(struct passage *p)
 {
     alignment_free(&p->alignment);
-    lumped_free(&p->rails);
+    way_free(&p->rails);
     train_free(&p->train);
     free(p->memory);
     free(p->wheel);
@@ -143,15 +138,18 @@ static double wheel_station(const struct passage *p, int64_t i)
     return p->station + p->vehicle->cg[3 * p->vehicle->wheelset[i]];
 }
 
-static void fill_input(const struct passage *p, int64_t i, int side, const struct lumped_place *place, struct wheel_input *in)
+static void fill_input(const struct passage *p, int64_t i, int side, const struct wheel_place *place, struct wheel_input *in)
 {
+    struct way_rail rail;
+
     in->table = p->table[side];
     in->s = wheel_station(p, i);
     train_wheelset(&p->train, i, in);
-    in->rail_z = lumped_sample(&p->rails, side, place, place->shape, p->rails.u);
-    in->rail_v = lumped_sample(&p->rails, side, place, place->shape, p->rails.v);
-    in->rail_slope = lumped_sample(&p->rails, side, place, place->slope, p->rails.u);
-    in->compliance = place->compliance;
+    way_look(&p->rails, side, place, &rail);
+    in->rail_z = rail.z;
+    in->rail_v = rail.v;
+    in->rail_slope = rail.slope;
+    in->compliance = rail.local;
     in->rail_y = p->sideways.y[2 * i + side];
     in->rail_vy = p->sideways.v[2 * i + side];
     sum_dips(&p->o, in->s, &in->dip, &in->dip_slope);
@@ -159,7 +157,7 @@ static void fill_input(const struct passage *p, int64_t i, int side, const struc
 
 void passage_wheel_input(const struct passage *p, int64_t i, int side, struct wheel_input *in)
 {
-    struct lumped_place place = lumped_find(&p->rails, side, wheel_station(p, i));
+    struct wheel_place place = way_find(&p->rails, side, wheel_station(p, i));
 
     fill_input(p, i, side, &place, in);
 }
@@ -194,7 +192,7 @@ static const char *wheel_forces(struct passage *p)
 {
     for (int64_t k = 0; k < 2 * p->vehicle->wheelsets; k++) {
         int side = (int)(k % 2);
-        struct lumped_place place = lumped_find(&p->rails, side, wheel_station(p, k / 2));
+        struct wheel_place place = way_find(&p->rails, side, wheel_station(p, k / 2));
         struct wheel_input in;
         fill_input(p, k / 2, side, &place, &in);
         const char *why = wheel_force(&p->o.law, &in, &p->memory[k], &p->wheel[k]);
@@ -202,7 +200,7 @@ static const char *wheel_forces(struct passage *p)
             return reason("wheelset %lld, %s wheel, station %.3f m: %s", (long long)(k / 2 + 1), side ? "right" : "left",
                           in.s, why);
         check_rail_add(p->track, side, &in, &p->wheel[k]);
-        lumped_load(&p->rails, side, &place, p->wheel[k].Q);
+        way_load(&p->rails, side, &place, p->wheel[k].Q);
         accelerate_sideways(p, k);
     }
     return NULL;
@@ -213,25 +211,15 @@ const char *passage_forces(struct passage *p)
     const char *why;
 
     train_locate(&p->train, &p->alignment, p->station);
-    lumped_accelerate(&p->rails);
+    way_move(&p->rails);
     if ((why = wheel_forces(p)))
         return why;
+    way_finish(&p->rails);
     train_accelerate(&p->train, p->wheel);
     return NULL;
 }
 
 /* ---- the step ---- */
-
-/* With before = a, as passage_start leaves it, the first step is x + v h + a h^2/2, v + a h. */
-CLONES static void predict(int64_t n, double h, double *restrict x, double *restrict v, const double *restrict a,
-                           double *restrict before)
-{
-    for (int64_t i = 0; i < n; i++) {
-        x[i] += v[i] * h + (a[i] - 0.5 * before[i]) * h * h;
-        v[i] += (1.5 * a[i] - 0.5 * before[i]) * h;
-        before[i] = a[i];
-    }
-}
 
 /* A motion that grows without bound shows in the train, which stands on everything else. */
 static const char *check_motion(const struct passage *p)
@@ -245,12 +233,11 @@ static const char *check_motion(const struct passage *p)
 
 const char *passage_step(struct passage *p)
 {
-    struct lumped *l = &p->rails;
     struct train *t = &p->train;
     const char *why;
 
-    predict(LUMPED_PARTS * l->stride, p->o.step, l->u, l->v, l->a, l->before);
-    predict(t->dofs, p->o.step, t->q, t->v, t->a, t->before);
+    way_advance(&p->rails);
+    two_step(t->dofs, p->o.step, t->q, t->v, t->a, t->before);
     move_sideways(p);
     p->n++;
     p->time = (double)p->n * p->o.step;

@@ -9,8 +9,8 @@
 
 #include "formats/case_text.h"
 #include "tools/integrate/alignment.h"
-#include "tools/integrate/lumped.h"
 #include "tools/integrate/train.h"
+#include "tools/integrate/way.h"
 #include "tools/integrate/wheel.h"
 
 struct passage_options {
@@ -28,7 +28,7 @@ struct passage {
     const struct veh *vehicle;
     const struct ctab *table[2];    /* left, right */
     struct alignment alignment;
-    struct lumped rails;
+    struct way rails;
     struct train train;
     struct wheel_memory *memory;    /* [wheelsets][2] */
     struct wheel_output *wheel;     /* [wheelsets][2] */

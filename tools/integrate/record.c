@@ -116,16 +116,28 @@ static void wheel_extremes(struct record *r, const struct passage *p)
     }
 }
 
+/* Sleepers stand evenly or nearly so: guess, then walk. */
+static int64_t sleeper_near(const struct trk *t, double s)
+{
+    const double *x = t->sleeper_x;
+    int64_t last = t->sleepers - 1, i = (int64_t)((s - x[0]) / (x[last] - x[0]) * (double)last);
+
+    i = i < 0 ? 0 : i > last ? last : i;
+    while (i > 0 && s < x[i])
+        i--;
+    while (i < last && s >= x[i + 1])
+        i++;
+    return i + (i < last && x[i + 1] - s < s - x[i]);
+}
+
 /* The same by where it happens: at the sleeper nearest to the wheel. */
 static void wheel_extremes_by_sleeper(struct record *r, const struct passage *p)
 {
-    const double *x = r->run.sleeper_x;
     int64_t n = r->run.sleepers;
 
     for (int64_t k = 0; k < 2 * r->run.wheelsets; k++) {
         double s = p->station + r->wheelset_x[k / 2];
-        int64_t i = lumped_element(&p->rails, s);
-        i += i + 1 < n && x[i + 1] - s < s - x[i];
+        int64_t i = sleeper_near(p->track, s);
         double *Q = &r->extreme[RUN_SLEEPER_MAX_Q][k % 2 * n + i], *Y = &r->extreme[RUN_SLEEPER_MAX_Y][k % 2 * n + i];
         *Q = fmax(*Q, p->wheel[k].Q);
         *Y = fmax(*Y, fabs(p->wheel[k].Y));
@@ -134,19 +146,18 @@ static void wheel_extremes_by_sleeper(struct record *r, const struct passage *p)
 
 static void track_extremes(struct record *r, const struct passage *p)
 {
-    const struct lumped *l = &p->rails;
-    int64_t n = l->n, k = l->stride;
+    const struct way *w = &p->rails;
+    int64_t n = r->run.sleepers, nodes = r->run.nodes;
 
     for (int s = 0; s < 2; s++) {
-        keep_largest(n, l->pad[s], r->extreme[RUN_MAX_PAD] + s * n);
-        keep_compression(n, l->u + (s ? LUMPED_WR : LUMPED_WL) * k, l->u + LUMPED_Z * k, l->u + LUMPED_ROLL * k,
-                         l->arm[s], r->extreme[RUN_MAX_PAD_COMPRESSION] + s * n);
-        lumped_moment(l, s, r->moment);
-        keep_magnitude(n, r->moment, r->extreme[RUN_MAX_NODE_M] + s * n);
+        keep_largest(n, w->pad[s], r->extreme[RUN_MAX_PAD] + s * n);
+        keep_compression(n, w->seat[s], w->z, w->roll, w->arm[s], r->extreme[RUN_MAX_PAD_COMPRESSION] + s * n);
+        way_moment(w, s, r->moment);
+        keep_magnitude(nodes, r->moment, r->extreme[RUN_MAX_NODE_M] + s * nodes);
     }
     for (int s = 0; s < 3; s++)
-        keep_largest(n, l->ballast[s], r->extreme[RUN_MAX_BALLAST] + s * n);
-    keep_magnitude(n, l->a + LUMPED_Z * k, r->extreme[RUN_MAX_SLEEPER_A]);
+        keep_largest(n, w->ballast[s], r->extreme[RUN_MAX_BALLAST] + s * n);
+    keep_magnitude(n, w->za, r->extreme[RUN_MAX_SLEEPER_A]);
 }
 
 /* ---- samples ---- */
@@ -225,24 +236,23 @@ static void sample_bodies(const struct record *r, const struct passage *p)
 
 static void sample_track(struct record *r, const struct passage *p)
 {
-    const struct lumped *l = &p->rails;
-    int64_t n = l->n, k = l->stride;
+    const struct way *w = &p->rails;
+    int64_t n = r->run.sleepers, nodes = r->run.nodes;
 
     for (int s = 0; s < 2; s++) {
-        int64_t w = (s ? LUMPED_WR : LUMPED_WL) * k;
-        put_floats(r, RUN_PAD, s * n, n, l->pad[s]);
-        put_floats(r, RUN_NODE_Z, s * n, n, l->u + w);
-        put_floats(r, RUN_NODE_A, s * n, n, l->a + w);
+        put_floats(r, RUN_PAD, s * n, n, w->pad[s]);
+        put_floats(r, RUN_NODE_Z, s * nodes, nodes, w->w[s]);
+        put_floats(r, RUN_NODE_A, s * nodes, nodes, w->wa[s]);
         if (r->recorded[RUN_NODE_M]) {
-            lumped_moment(l, s, r->moment);
-            put_floats(r, RUN_NODE_M, s * n, n, r->moment);
+            way_moment(w, s, r->moment);
+            put_floats(r, RUN_NODE_M, s * nodes, nodes, r->moment);
         }
     }
     for (int s = 0; s < 3; s++)
-        put_floats(r, RUN_BALLAST_F, s * n, n, l->ballast[s]);
-    put_floats(r, RUN_SLEEPER_Z, 0, n, l->u + LUMPED_Z * k);
-    put_floats(r, RUN_SLEEPER_ROLL, 0, n, l->u + LUMPED_ROLL * k);
-    put_floats(r, RUN_SLEEPER_A, 0, n, l->a + LUMPED_Z * k);
+        put_floats(r, RUN_BALLAST_F, s * n, n, w->ballast[s]);
+    put_floats(r, RUN_SLEEPER_Z, 0, n, w->z);
+    put_floats(r, RUN_SLEEPER_ROLL, 0, n, w->roll);
+    put_floats(r, RUN_SLEEPER_A, 0, n, w->za);
 }
 
 int record_step(struct record *r, const struct passage *p)

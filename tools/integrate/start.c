@@ -17,7 +17,7 @@ enum { ROUNDS_MOST = 30, HEIGHT_MOST = 60 };
 struct rest {
     struct passage *p;
     struct cholesky factor;
-    double *f, *u;          /* [track dofs] */
+    double *weight, *f, *u; /* [track dofs] */
     double *load;           /* N [wheels] */
     int64_t n;              /* dofs that move: all of bodies that are not wheelsets */
     int64_t *free;          /* [n] their numbers */
@@ -28,22 +28,31 @@ struct rest {
 
 /* ---- track ---- */
 
-/* Own weight and wheel loads as nodal forces; pitch is that of trk.h, as in lumped. */
+/* M e g, e going down with all of the track: rigid, it is one of the elements' own shapes. */
+static void find_weight(struct rest *r)
+{
+    const struct trk *t = r->p->track;
+    double *e = r->u;
+
+    for (int64_t i = 0; i < t->nodes; i++)
+        e[t->node_dof[i]] = e[t->node_dof[i] + 2] = 1;
+    for (int64_t i = 0; i < t->sleepers; i++)
+        e[t->sleeper_dof[i]] = 1;
+    for (int64_t j = 0; j < t->dofs; j++)
+        for (int64_t p = t->Ap[j]; p < t->Ap[j + 1]; p++)
+            r->weight[t->Ai[p]] += t->Mx[p] * e[j] * r->p->vehicle->gravity;
+}
+
+/* Own weight and wheel loads as nodal forces. */
 static void track_loads(struct rest *r)
 {
     const struct trk *t = r->p->track;
-    double g = r->p->rails.gravity;
 
-    memset(r->f, 0, (size_t)t->dofs * sizeof *r->f);
-    for (int64_t i = 0; i < t->nodes; i++)
-        for (int s = 0; s < 2; s++)
-            r->f[t->node_dof[i] + 2 * s] += t->rail_mass[s * t->nodes + i] * g;
-    for (int64_t i = 0; i < t->sleepers; i++)
-        r->f[t->sleeper_dof[i]] += t->sleeper_mass[i] * g;
+    memcpy(r->f, r->weight, (size_t)t->dofs * sizeof *r->f);
     for (int64_t k = 0; k < 2 * r->p->vehicle->wheelsets; k++) {
         int64_t body = r->p->vehicle->wheelset[k / 2];
         int s = (int)(k % 2);
-        struct lumped_place at = lumped_find(&r->p->rails, s, r->p->station + r->p->vehicle->cg[3 * body]);
+        struct wheel_place at = way_find(&r->p->rails, s, r->p->station + r->p->vehicle->cg[3 * body]);
         for (int j = 0; j < 4; j++)
             r->f[t->node_dof[at.node + j / 2] + 2 * s + j % 2] += at.shape[j] * r->load[k];
     }
@@ -51,19 +60,12 @@ static void track_loads(struct rest *r)
 
 static const char *settle_track(struct rest *r)
 {
-    const struct trk *t = r->p->track;
-    struct lumped *l = &r->p->rails;
     const char *why;
 
     track_loads(r);
     if ((why = cholesky_solve(&r->factor, r->f, r->u)))
         return why;
-    for (int64_t i = 0; i < t->nodes; i++)
-        for (int part = LUMPED_WL; part <= LUMPED_TR; part++)
-            l->u[part * l->stride + i] = r->u[t->node_dof[i] + part];
-    for (int64_t i = 0; i < t->sleepers; i++)
-        for (int part = LUMPED_Z; part <= LUMPED_ROLL; part++)
-            l->u[part * l->stride + i] = r->u[t->sleeper_dof[i] + part - LUMPED_Z];
+    way_set(&r->p->rails, r->u);
     return NULL;
 }
 
@@ -267,7 +269,6 @@ static const char *begin(struct passage *p, double *residual)
         return why;
     for (int64_t i = 0; i < p->vehicle->bodies; i++)
         *residual = fmax(*residual, fabs(p->train.a[6 * i + VEH_Z]) / p->vehicle->gravity);
-    memcpy(p->rails.before, p->rails.a, (size_t)(LUMPED_PARTS * p->rails.stride) * sizeof *p->rails.a);
     memcpy(p->train.before, p->train.a, (size_t)p->train.dofs * sizeof *p->train.a);
     return NULL;
 }
@@ -282,6 +283,7 @@ const char *passage_start(struct passage *p, double *residual)
     train_locate(&p->train, &p->alignment, p->station);
     if ((why = check_straight(p)))
         return why;
+    r.weight = calloc((size_t)p->track->dofs, sizeof *r.weight);
     r.f = calloc((size_t)p->track->dofs, sizeof *r.f);
     r.u = calloc((size_t)p->track->dofs, sizeof *r.u);
     r.load = calloc(wheels, sizeof *r.load);
@@ -289,15 +291,17 @@ const char *passage_start(struct passage *p, double *residual)
     r.K = calloc(dofs * dofs, sizeof *r.K);
     r.x = calloc(dofs, sizeof *r.x);
     r.pivot = calloc(dofs, sizeof *r.pivot);
-    if (!r.f || !r.u || !r.load || !r.free || !r.K || !r.x || !r.pivot)
+    if (!r.weight || !r.f || !r.u || !r.load || !r.free || !r.K || !r.x || !r.pivot)
         why = REASON_MEMORY;
     else if (!(why = cholesky_new(&r.factor, p->track))) {
+        find_weight(&r);
         find_free(&r);
         why = settle(&r);
         if (!why)
             why = begin(p, residual);
         cholesky_free(&r.factor);
     }
+    free(r.weight);
     free(r.f);
     free(r.u);
     free(r.load);
