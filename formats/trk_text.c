@@ -10,6 +10,7 @@
 #define AT(type, member) offsetof(struct type, member)
 
 static const char *const MODELS[] = {"fixed", "moving_mass", NULL};
+static const char *const DOFS[] = {"vertical", "spatial", NULL};
 static const char *const ROLLS[] = {"free", "held", NULL};
 static const char *const MASS_MODELS[] = {"lumped", "consistent", NULL};
 static const char *const BEAMS[] = {"euler", "timoshenko", NULL};
@@ -38,6 +39,8 @@ static const struct yaml_field OWN_FIELDS[] = {
     {"pitch_inertia", YAML_TABLE, AT(trk_text_own, pitch_inertia), YAML_POSITIVE, 1e5, "kg m2", YAML_ABSENT, "likewise", NULL, NULL},
     {"shear_stiffness", YAML_TABLE, AT(trk_text_own, shear_stiffness), YAML_POSITIVE, 1e15, "N", YAML_ABSENT, "likewise", NULL, NULL},
     {"rotary_inertia", YAML_TABLE, AT(trk_text_own, rotary_inertia), YAML_POSITIVE, 1e5, "kg m", YAML_ABSENT, "likewise", NULL, NULL},
+    {"lateral_bending_stiffness", YAML_TABLE, AT(trk_text_own, lateral_bending_stiffness), YAML_POSITIVE, 1e12, "N m2", YAML_ABSENT,
+     "of this rail, instead of that of both", NULL, NULL},
     {0}};
 
 static const struct yaml_schema OWN = {"rail", sizeof(struct trk_text_own), OWN_FIELDS};
@@ -56,6 +59,22 @@ static const struct yaml_field RAIL_FIELDS[] = {
     {"beam", YAML_CHOICE, AT(trk_text_rail, beam), 0, 0, "", "euler", "beam theory", NULL, BEAMS},
     {"elements_per_bay", YAML_INT, AT(trk_text_rail, elements_per_bay), 1, 20, "", "1", "beam elements between sleepers", NULL,
      NULL},
+    {"lateral_bending_stiffness", YAML_TABLE, AT(trk_text_rail, lateral_bending_stiffness), YAML_POSITIVE, 1e12, "N m2", YAML_ABSENT,
+     "EI of each rail against bending sideways, spatial only, where it must be given", NULL, NULL},
+    {"yaw_inertia", YAML_NUM, AT(trk_text_rail, yaw_inertia), YAML_POSITIVE, 1e5, "kg m2", YAML_ABSENT,
+     "of each rail node, spatial and lumped only, where it must be given: it sets the lateral pinned-pinned frequency", NULL, NULL},
+    {"lateral_shear_stiffness", YAML_NUM, AT(trk_text_rail, lateral_shear_stiffness), YAML_POSITIVE, 1e15, "N", YAML_ABSENT,
+     "kappa G A sideways, spatial and timoshenko only, where it must be given", NULL, NULL},
+    {"lateral_rotary_inertia", YAML_NUM, AT(trk_text_rail, lateral_rotary_inertia), YAML_POSITIVE, 1e5, "kg m", YAML_ABSENT,
+     "rho I about the vertical axis, spatial and timoshenko with consistent mass only, where it must be given", NULL, NULL},
+    {"torsional_stiffness", YAML_NUM, AT(trk_text_rail, torsional_stiffness), YAML_POSITIVE, 1e12, "N m2", YAML_ABSENT,
+     "GJ of each rail, spatial only, where it must be given", NULL, NULL},
+    {"polar_inertia", YAML_NUM, AT(trk_text_rail, polar_inertia), YAML_POSITIVE, 1e5, "kg m", YAML_ABSENT,
+     "rho Ip, twist inertia of a metre of each rail, spatial only, where it must be given", NULL, NULL},
+    {"head_height", YAML_NUM, AT(trk_text_rail, head_height), YAML_POSITIVE, 1, "m", YAML_ABSENT,
+     "running surface above the rail's centroid, spatial only, where it must be given", NULL, NULL},
+    {"foot_depth", YAML_NUM, AT(trk_text_rail, foot_depth), YAML_POSITIVE, 1, "m", YAML_ABSENT,
+     "railpad below the rail's centroid, spatial only, where it must be given", NULL, NULL},
     {"left", YAML_MAP, AT(trk_text_rail, left), 0, 0, "", YAML_ABSENT, "what is different in the left rail", &OWN, NULL},
     {"right", YAML_MAP, AT(trk_text_rail, right), 0, 0, "", YAML_ABSENT, "what is different in the right rail", &OWN, NULL},
     {"lateral", YAML_MAP, AT(trk_text_rail, lateral), 0, 0, "", YAML_ABSENT,
@@ -76,7 +95,11 @@ static const struct yaml_field SLEEPER_FIELDS[] = {
     {"centre", YAML_TABLE, AT(trk_text_sleeper, centre), -10, 10, "m", "0", "lateral position of its centre, right of the track's",
      NULL, NULL},
     {"pitch_inertia", YAML_NUM, AT(trk_text_sleeper, pitch_inertia), 0, 1e7, "kg m2", "0",
-     "about its own length; no part of the vertical track", NULL, NULL},
+     "about its own length; no part of any track", NULL, NULL},
+    {"yaw_inertia", YAML_TABLE, AT(trk_text_sleeper, yaw_inertia), YAML_POSITIVE, 1e7, "kg m2", YAML_ABSENT,
+     "about the vertical axis, spatial only, where it must be given", NULL, NULL},
+    {"seat_height", YAML_NUM, AT(trk_text_sleeper, seat_height), 0, 2, "m", "0", "railpads above the sleeper's centre, spatial only",
+     NULL, NULL},
     {0}};
 
 static const struct yaml_field MISSING_FIELDS[] = {
@@ -91,6 +114,12 @@ static const struct yaml_field PAD_FIELDS[] = {
     {"stiffness", YAML_TABLE, AT(trk_text_pad, stiffness), YAML_POSITIVE, 1e12, "N/m", NULL, "of each railpad", NULL, NULL},
     {"damping", YAML_TABLE, AT(trk_text_pad, damping), 0, 1e9, "N s/m", NULL, "of each railpad", NULL, NULL},
     {"missing", YAML_LIST, AT(trk_text_pad, missing), 0, 0, "", YAML_ABSENT, "railpads that are not there", &MISSING, NULL},
+    {"lateral_stiffness", YAML_TABLE, AT(trk_text_pad, lateral_stiffness), YAML_POSITIVE, 1e12, "N/m", YAML_ABSENT,
+     "of each railpad and its fastening, spatial only, where it must be given", NULL, NULL},
+    {"lateral_damping", YAML_TABLE, AT(trk_text_pad, lateral_damping), 0, 1e9, "N s/m", YAML_ABSENT, "likewise", NULL, NULL},
+    {"width", YAML_NUM, AT(trk_text_pad, width), YAML_POSITIVE, 1, "m", YAML_ABSENT,
+     "across the rail, against its tilt, spatial only, where it must be given", NULL, NULL},
+    {"length", YAML_NUM, AT(trk_text_pad, length), 0, 1, "m", "0", "along the rail, against its pitch and yaw, spatial only", NULL, NULL},
     {0}};
 
 static const struct yaml_field SPRING_FIELDS[] = {
@@ -113,7 +142,36 @@ static const struct yaml_field BALLAST_FIELDS[] = {
     {"left", YAML_MAP, AT(trk_text_ballast, left), 0, 0, "", YAML_ABSENT, "what is different in the left spring", &SPRING, NULL},
     {"middle", YAML_MAP, AT(trk_text_ballast, middle), 0, 0, "", YAML_ABSENT, "what is different in the middle spring", &SPRING, NULL},
     {"right", YAML_MAP, AT(trk_text_ballast, right), 0, 0, "", YAML_ABSENT, "what is different in the right spring", &SPRING, NULL},
+    {"lateral_stiffness", YAML_TABLE, AT(trk_text_ballast, lateral_stiffness), YAML_POSITIVE, 1e12, "N/m", YAML_ABSENT,
+     "of a whole sleeper, at its centre, spatial only, where it must be given", NULL, NULL},
+    {"lateral_damping", YAML_TABLE, AT(trk_text_ballast, lateral_damping), 0, 1e9, "N s/m", YAML_ABSENT, "likewise", NULL, NULL},
+    {"longitudinal_stiffness", YAML_TABLE, AT(trk_text_ballast, longitudinal_stiffness), YAML_POSITIVE, 1e12, "N/m", YAML_ABSENT,
+     "of a whole sleeper, even along it, against its yaw, spatial only, where it must be given", NULL, NULL},
+    {"longitudinal_damping", YAML_TABLE, AT(trk_text_ballast, longitudinal_damping), 0, 1e9, "N s/m", YAML_ABSENT, "likewise", NULL, NULL},
     {0}};
+
+static const struct yaml_field BEAM_FIELDS[] = {
+    {"from", YAML_NUM, AT(trk_text_beam, from), -1e6, 1e6, "m", NULL, "station from which it stands on every sleeper", NULL, NULL},
+    {"to", YAML_NUM, AT(trk_text_beam, to), -1e6, 1e6, "m", NULL, "station up to which it does", NULL, NULL},
+    {"side", YAML_NUM, AT(trk_text_beam, side), -10, 10, "m", NULL, "lateral position of its centroid, right of the track's centre line",
+     NULL, NULL},
+    {"bending_stiffness", YAML_NUM, AT(trk_text_beam, bending_stiffness), YAML_POSITIVE, 1e12, "N m2", NULL, "vertical EI", NULL, NULL},
+    {"lateral_bending_stiffness", YAML_NUM, AT(trk_text_beam, lateral_bending_stiffness), YAML_POSITIVE, 1e12, "N m2", NULL, "lateral EI",
+     NULL, NULL},
+    {"torsional_stiffness", YAML_NUM, AT(trk_text_beam, torsional_stiffness), YAML_POSITIVE, 1e12, "N m2", NULL, "GJ", NULL, NULL},
+    {"mass", YAML_NUM, AT(trk_text_beam, mass), YAML_POSITIVE, 1e5, "kg/m", NULL, "of the check rail", NULL, NULL},
+    {"polar_inertia", YAML_NUM, AT(trk_text_beam, polar_inertia), YAML_POSITIVE, 1e5, "kg m", NULL, "rho Ip", NULL, NULL},
+    {"head_height", YAML_NUM, AT(trk_text_beam, head_height), YAML_POSITIVE, 1, "m", NULL, "where flanges rub, above its centroid", NULL, NULL},
+    {"foot_depth", YAML_NUM, AT(trk_text_beam, foot_depth), YAML_POSITIVE, 1, "m", NULL, "its fastenings below its centroid", NULL, NULL},
+    {"stiffness", YAML_NUM, AT(trk_text_beam, stiffness), YAML_POSITIVE, 1e12, "N/m", NULL, "of a fastening, on each sleeper", NULL, NULL},
+    {"damping", YAML_NUM, AT(trk_text_beam, damping), 0, 1e9, "N s/m", NULL, "of a fastening", NULL, NULL},
+    {"lateral_stiffness", YAML_NUM, AT(trk_text_beam, lateral_stiffness), YAML_POSITIVE, 1e12, "N/m", YAML_ABSENT,
+     "of a fastening; absent: as its stiffness", NULL, NULL},
+    {"lateral_damping", YAML_NUM, AT(trk_text_beam, lateral_damping), YAML_POSITIVE, 1e9, "N s/m", YAML_ABSENT,
+     "of a fastening; absent: as its damping", NULL, NULL},
+    {0}};
+
+static const struct yaml_schema BEAM = {"beam", sizeof(struct trk_text_beam), BEAM_FIELDS};
 
 static const struct yaml_field CHECK_FIELDS[] = {
     {"rail", YAML_CHOICE, AT(trk_text_check, rail), 0, 0, "", NULL, "beside which rail it stands", NULL, SIDES},
@@ -121,6 +179,7 @@ static const struct yaml_field CHECK_FIELDS[] = {
      "free play of the flange's back, wheelset centred, over station; no check rail beyond the ends", NULL, NULL},
     {"stiffness", YAML_NUM, AT(trk_text_check, stiffness), YAML_POSITIVE, 1e12, "N/m", NULL, "lateral, against the ground", NULL, NULL},
     {"damping", YAML_NUM, AT(trk_text_check, damping), 0, 1e9, "N s/m", "0", "lateral, against the ground", NULL, NULL},
+    {"beam", YAML_MAP, AT(trk_text_check, beam), 0, 0, "", YAML_ABSENT, "the check rail on its sleepers, spatial only", &BEAM, NULL},
     {0}};
 
 static const struct yaml_field CURVE_FIELDS[] = {
@@ -133,6 +192,10 @@ static const struct yaml_field ZONE_PAD_FIELDS[] = {
      NULL, NULL},
     {"damping", YAML_NUM, AT(trk_text_zone_pad, damping), YAML_POSITIVE, 1e9, "N s/m", YAML_ABSENT, "instead of the reference", NULL,
      NULL},
+    {"lateral_stiffness", YAML_NUM, AT(trk_text_zone_pad, lateral_stiffness), YAML_POSITIVE, 1e12, "N/m", YAML_ABSENT,
+     "instead of the reference", NULL, NULL},
+    {"lateral_damping", YAML_NUM, AT(trk_text_zone_pad, lateral_damping), YAML_POSITIVE, 1e9, "N s/m", YAML_ABSENT,
+     "instead of the reference", NULL, NULL},
     {0}};
 
 static const struct yaml_schema RAIL = {"rail", sizeof(struct trk_text_rail), RAIL_FIELDS};
@@ -157,6 +220,7 @@ static const struct yaml_field TRACK_FIELDS[] = {
     {"name", YAML_TEXT, AT(trk_text, name), 0, 0, "", NULL, "of the track, up to 63 letters", NULL, NULL},
     {"model", YAML_CHOICE, AT(trk_text, model), 0, 0, "", "fixed", "fixed in space, or one sleeper and its rails that follow a wheelset", NULL,
      MODELS},
+    {"dofs", YAML_CHOICE, AT(trk_text, dofs), 0, 0, "", "vertical", "whether rails and sleepers move sideways and twist too", NULL, DOFS},
     {"from", YAML_NUM, AT(trk_text, from), -1e6, 1e6, "m", NULL, "station where the bay of the first sleeper begins", NULL, NULL},
     {"length", YAML_NUM, AT(trk_text, length), YAML_POSITIVE, 1e5, "m", NULL, "a whole number of sleeper spacings; of a moving mass one", NULL, NULL},
     {"first_sleeper", YAML_NUM, AT(trk_text, first_sleeper), -1e6, 1e6, "m", "0", "station where the bay of sleeper number 1 begins",
@@ -195,6 +259,8 @@ static const char *check_check_rail(const struct yaml_list *list)
         return reason("check_rail: %lld items, one at most is possible", (long long)list->n);
     if (list->n == 1 && (c->play.by_number || c->play.n < 2))
         return "check_rail.1.play: {station: [...], value: [...]} is wanted, from one end of the check rail to the other";
+    if (list->n == 1 && c->beam.mass > 0 && !(c->beam.to > c->beam.from))
+        return reason("check_rail.1.beam.to: %g must be beyond the %g of from", c->beam.to, c->beam.from);
     return NULL;
 }
 
@@ -256,6 +322,39 @@ static const char *check_missing(const struct yaml_list *list)
     return why;
 }
 
+/* What a spatial track needs beside a vertical one. */
+static const char *check_spatial(const struct trk_text *in)
+{
+    const struct trk_text_rail *r = &in->rail;
+    const int lumped = r->mass_model == TRK_TEXT_LUMPED, timoshenko = r->beam == TRK_TEXT_TIMOSHENKO;
+    const struct { const char *key, *what; int given; } needs[] = {
+        {"rail.lateral_bending_stiffness", "lateral EI in N m2", r->lateral_bending_stiffness.n > 0},
+        {"rail.yaw_inertia", "with lumped mass the yaw inertia of a node in kg m2", r->yaw_inertia > 0 || !lumped},
+        {"rail.lateral_shear_stiffness", "with timoshenko kappa G A sideways in N", r->lateral_shear_stiffness > 0 || !timoshenko},
+        {"rail.lateral_rotary_inertia", "with timoshenko and consistent mass rho I in kg m",
+         r->lateral_rotary_inertia > 0 || !timoshenko || lumped},
+        {"rail.torsional_stiffness", "GJ in N m2", r->torsional_stiffness > 0},
+        {"rail.polar_inertia", "rho Ip in kg m", r->polar_inertia > 0},
+        {"rail.head_height", "in m", r->head_height > 0},
+        {"rail.foot_depth", "in m", r->foot_depth > 0},
+        {"sleeper.yaw_inertia", "in kg m2", in->sleeper.yaw_inertia.n > 0},
+        {"railpad.lateral_stiffness", "in N/m", in->railpad.lateral_stiffness.n > 0},
+        {"railpad.lateral_damping", "in N s/m", in->railpad.lateral_damping.n > 0},
+        {"railpad.width", "in m", in->railpad.width > 0},
+        {"ballast.lateral_stiffness", "in N/m", in->ballast.lateral_stiffness.n > 0},
+        {"ballast.lateral_damping", "in N s/m", in->ballast.lateral_damping.n > 0},
+        {"ballast.longitudinal_stiffness", "in N/m", in->ballast.longitudinal_stiffness.n > 0},
+        {"ballast.longitudinal_damping", "in N s/m", in->ballast.longitudinal_damping.n > 0},
+    };
+
+    if (in->model == TRK_TEXT_MOVING_MASS)
+        return "dofs: spatial is not for model: moving_mass";
+    for (size_t k = 0; k < sizeof needs / sizeof *needs; k++)
+        if (!needs[k].given)
+            return reason("%s: dofs: spatial needs it, %s", needs[k].key, needs[k].what);
+    return NULL;
+}
+
 static const char *check(const struct trk_text *in)
 {
     const struct trk_text_zone *z = in->zone.item;
@@ -269,6 +368,8 @@ static const char *check(const struct trk_text *in)
         return "rail.running_mass, sleeper.lateral: they are for model: moving_mass alone";
     if (in->sleeper.lateral.stiffness > 0 && !(in->rail.lateral.stiffness > 0))
         return "sleeper.lateral: rail.lateral is missing, what the rails stand against it with";
+    if (in->dofs == TRK_TEXT_SPATIAL && (why = check_spatial(in)))
+        return why;
     if ((in->model == TRK_TEXT_FIXED && (why = check_rail(&in->rail))) || (why = check_curve(&in->curve)) ||
         (why = check_check_rail(&in->check_rail)) || (why = check_missing(&in->railpad.missing)))
         return why;

@@ -180,24 +180,30 @@ static const char *lay_curve(struct trk *t, const struct trk_text *in)
     return NULL;
 }
 
-/* [wl tl wr tr] at each node, then [z roll] of the sleeper below it. */
+/* Of both rails at each node, of the check rail where it has a node there, then of the sleeper below it. */
 static const char *number_dofs(struct trk *t)
 {
     int64_t *node = trk_room(t, t->nodes, sizeof *node), *sleeper = trk_room(t, t->sleepers, sizeof *sleeper);
+    int64_t *check = trk_room(t, t->check_nodes, sizeof *check);
     int64_t dof = 0;
 
-    if (!node || !sleeper)
+    if (!node || !sleeper || !check)
         return REASON_MEMORY;
-    for (int64_t i = 0, k = 0; i < t->nodes; i++) {
+    for (int64_t i = 0, k = 0, c = 0; i < t->nodes; i++) {
         node[i] = dof;
-        dof += 4;
+        dof += TRK_RAILS * t->rail_dofs;
+        if (c < t->check_nodes && t->check_node[c] == i) {
+            check[c++] = dof;
+            dof += t->rail_dofs;
+        }
         if (k < t->sleepers && t->sleeper_node[k] == i) {
             sleeper[k++] = dof;
-            dof += 2;
+            dof += t->sleeper_dofs;
         }
     }
     t->node_dof = node;
     t->sleeper_dof = sleeper;
+    t->check_dof = check;
     t->dofs = dof;
     return NULL;
 }
@@ -210,6 +216,10 @@ const char *layout_track(struct trk *t, const struct trk_text *in)
     memset(t, 0, sizeof *t);
     strncpy(t->name, in->name, sizeof t->name - 1);
     t->rail_spacing = in->rail_spacing;
+    if (in->dofs == TRK_TEXT_SPATIAL)
+        return "dofs: spatial: the matrices of a spatial track are not built yet";
+    t->rail_dofs = in->dofs == TRK_TEXT_SPATIAL ? TRK_SPATIAL_RAIL : TRK_VERTICAL_RAIL;
+    t->sleeper_dofs = in->dofs == TRK_TEXT_SPATIAL ? TRK_SPATIAL_SLEEPER : TRK_VERTICAL_SLEEPER;
     t->sleepers = (int64_t)floor(bays + 0.5);
     t->nodes = (t->sleepers - 1) * in->rail.elements_per_bay + 1;
     if (in->model == TRK_TEXT_MOVING_MASS && fabs(bays - 1) > WHOLE)
