@@ -24,6 +24,8 @@ struct lumped {
     double *shear[2], *near[2], *far[2];/* N, N m [stride + 8] end forces of the elements, one ahead of the first */
     double *pad_k[2], *pad_c[2], *arm[2];               /* N/m, N s/m, m [stride] of the pads; arm to the sleeper's centre */
     double *ballast_k[3], *ballast_c[3], *ballast_y[3]; /* the same of the ballast */
+    double *gap[3], *floor[3];          /* m, N [stride] beneath the sleeper, and the least force: 0, or -infinity where bonded */
+    int pushes[3];                      /* whether any spring of the row only pushes */
     double *store;
 };
 
@@ -49,7 +51,8 @@ void lumped_load(struct lumped *l, int rail, const struct wheel_place *p, double
 /* Bending moment N m at the nodes of a rail into m[n], positive with tension in the foot. */
 void lumped_moment(const struct lumped *l, int rail, double *m);
 
-/* rad/s, the highest natural frequency of the track without damping, by power iteration on M^-1 K (leaves the state zero). */
+/* rad/s, the highest natural frequency of the track without damping, by power iteration on M^-1 K (leaves the state zero); all ballast
+ * touches, which is stiffest. */
 double lumped_highest(struct lumped *l);
 
 #endif

@@ -2,7 +2,7 @@
  * so much stiffer than the springs that each round gains two digits. */
 #include "tools/integrate/start.h"
 #include "formats/reason.h"
-#include "tools/track/cholesky.h"
+#include "tools/track/equilibrium.h"
 
 #include <lapacke.h>
 #include <math.h>
@@ -16,8 +16,8 @@ enum { ROUNDS_MOST = 30, HEIGHT_MOST = 60 };
 
 struct rest {
     struct passage *p;
-    struct cholesky factor;
-    double *weight, *f, *u; /* [track dofs] */
+    struct equilibrium track;
+    double *f, *u;          /* [track dofs] */
     double *load;           /* N [wheels] */
     int64_t n;              /* dofs that move: all of bodies that are not wheelsets */
     int64_t *free;          /* [n] their numbers */
@@ -28,27 +28,12 @@ struct rest {
 
 /* ---- track ---- */
 
-/* M e g, e going down with all of the track: rigid, it is one of the elements' own shapes. */
-static void find_weight(struct rest *r)
-{
-    const struct trk *t = r->p->track;
-    double *e = r->u;
-
-    for (int64_t i = 0; i < t->nodes; i++)
-        e[t->node_dof[i]] = e[t->node_dof[i] + 2] = 1;
-    for (int64_t i = 0; i < t->sleepers; i++)
-        e[t->sleeper_dof[i]] = 1;
-    for (int64_t j = 0; j < t->dofs; j++)
-        for (int64_t p = t->Ap[j]; p < t->Ap[j + 1]; p++)
-            r->weight[t->Ai[p]] += t->Mx[p] * e[j] * r->p->vehicle->gravity;
-}
-
 /* Own weight and wheel loads as nodal forces. */
 static void track_loads(struct rest *r)
 {
     const struct trk *t = r->p->track;
 
-    memcpy(r->f, r->weight, (size_t)t->dofs * sizeof *r->f);
+    memcpy(r->f, r->track.weight, (size_t)t->dofs * sizeof *r->f);
     for (int64_t k = 0; k < 2 * r->p->vehicle->wheelsets; k++) {
         int64_t body = r->p->vehicle->wheelset[k / 2];
         int s = (int)(k % 2);
@@ -63,7 +48,7 @@ static const char *settle_track(struct rest *r)
     const char *why;
 
     track_loads(r);
-    if ((why = cholesky_solve(&r->factor, r->f, r->u)))
+    if ((why = equilibrium_find(&r->track, r->f, r->u)))
         return why;
     way_set(&r->p->rails, r->u);
     return NULL;
@@ -283,7 +268,6 @@ const char *passage_start(struct passage *p, double *residual)
     train_locate(&p->train, &p->alignment, p->station);
     if ((why = check_straight(p)))
         return why;
-    r.weight = calloc((size_t)p->track->dofs, sizeof *r.weight);
     r.f = calloc((size_t)p->track->dofs, sizeof *r.f);
     r.u = calloc((size_t)p->track->dofs, sizeof *r.u);
     r.load = calloc(wheels, sizeof *r.load);
@@ -291,17 +275,15 @@ const char *passage_start(struct passage *p, double *residual)
     r.K = calloc(dofs * dofs, sizeof *r.K);
     r.x = calloc(dofs, sizeof *r.x);
     r.pivot = calloc(dofs, sizeof *r.pivot);
-    if (!r.weight || !r.f || !r.u || !r.load || !r.free || !r.K || !r.x || !r.pivot)
+    if (!r.f || !r.u || !r.load || !r.free || !r.K || !r.x || !r.pivot)
         why = REASON_MEMORY;
-    else if (!(why = cholesky_new(&r.factor, p->track))) {
-        find_weight(&r);
+    else if (!(why = equilibrium_new(&r.track, p->track, p->vehicle->gravity))) {
         find_free(&r);
         why = settle(&r);
         if (!why)
             why = begin(p, residual);
-        cholesky_free(&r.factor);
+        equilibrium_free(&r.track);
     }
-    free(r.weight);
     free(r.f);
     free(r.u);
     free(r.load);
