@@ -34,7 +34,7 @@ static double imbalance(const struct veh *v)
     int64_t n = VEH_DOFS*v->bodies;
     double *zero = calloc((size_t)n, sizeof *zero), *f = calloc((size_t)n, sizeof *f), most = 0, all = 0;
 
-    couplings_force(v, zero, zero, f);
+    couplings_force(v, NULL, zero, zero, f);
     for (int64_t i = 0; i < v->bodies; i++) {
         f[VEH_DOFS*i + VEH_Z] += v->mass[i]*v->gravity;
         all += v->mass[i]*v->gravity;

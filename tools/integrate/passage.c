@@ -236,6 +236,7 @@ const char *passage_step(struct passage *p)
     struct train *t = &p->train;
     const char *why;
 
+    train_keep(t, p->o.step);
     way_advance(&p->rails);
     two_step(t->dofs, p->o.step, t->q, t->v, t->a, t->before);
     move_sideways(p);

@@ -33,9 +33,10 @@ const char *train_new(struct train *t, const struct veh *v, double speed)
     size_t n = (size_t)(6 * v->bodies);
 
     *t = (struct train){.vehicle = v, .dofs = 6 * v->bodies, .speed = speed, .middle = middle(v)};
+    const char *why = couplings_memory_new(&t->memory, v);
     t->q = calloc(7 * n, sizeof *t->q);
     t->line = calloc((size_t)v->bodies, sizeof *t->line);
-    if (!t->q || !t->line) {
+    if (why || !t->q || !t->line) {
         train_free(t);
         return REASON_MEMORY;
     }
@@ -53,6 +54,7 @@ void train_free(struct train *t)
 {
     free(t->q);
     free(t->line);
+    couplings_memory_free(&t->memory);
     *t = (struct train){0};
 }
 
@@ -165,6 +167,11 @@ static void add_wheels(struct train *t, int64_t i, const struct wheel_output w[2
     f[VEH_YAW] -= H * rate[VEH_ROLL];
 }
 
+void train_keep(struct train *t, double h)
+{
+    couplings_keep(&t->memory, h);
+}
+
 void train_accelerate(struct train *t, const struct wheel_output *w)
 {
     const struct veh *v = t->vehicle;
@@ -177,7 +184,7 @@ void train_accelerate(struct train *t, const struct wheel_output *w)
         t->f[6 * i + VEH_Z] = v->mass[i] * weight[VEH_Z];
     }
     localise(t);
-    couplings_force(v, t->local, t->v, t->f);
+    couplings_force(v, &t->memory, t->local, t->v, t->f);
     for (int64_t i = 0; i < v->wheelsets; i++)
         add_wheels(t, i, w + 2 * i);
     for (int64_t k = 0; k < t->dofs; k++)

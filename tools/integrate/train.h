@@ -11,6 +11,7 @@
 #include "formats/veh.h"
 #include "tools/integrate/alignment.h"
 #include "tools/integrate/wheel.h"
+#include "tools/vehicle/couplings_memory.h"
 
 struct train {
     const struct veh *vehicle;      /* must outlive this */
@@ -23,6 +24,7 @@ struct train {
     double middle;                  /* m, of the train, from the front wheelset: its centre of gravity */
     struct alignment_point tangent; /* the alignment there now */
     double *local;                  /* [dofs] q against that tangent */
+    struct couplings_memory memory; /* of friction and series dampers */
 };
 
 const char *train_new(struct train *t, const struct veh *v, double speed);
@@ -33,6 +35,9 @@ void train_locate(struct train *t, const struct alignment *a, double s);
 
 /* Position, rates and spin of wheelset i (from 0) in its own frame into in. */
 void train_wheelset(const struct train *t, int64_t i, struct wheel_input *in);
+
+/* Before a step of h s: what the couplings remember is the present. */
+void train_keep(struct train *t, double h);
 
 /* Accelerations from q, v and the wheel forces w [wheelsets][2]. */
 void train_accelerate(struct train *t, const struct wheel_output *w);
