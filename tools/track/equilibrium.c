@@ -1,6 +1,7 @@
 /* Newton's method on the energy, which is convex and quadratic in pieces: K of the springs that touch gives the next state, an exact search
  * along the line to it keeps the energy falling, and so a finite number of pieces is met (Sun 1997, J. Optim. Theory Appl. 92, 195).  Without
- * springs that only push it is one solution. */
+ * springs that only push it is one solution.  Where what touches does not hold the track, as a sleeper tilted onto one spring, the step is that
+ * of all springs, each open one without force where it is: more than the energy can be, so it falls too. */
 #include "tools/track/equilibrium.h"
 
 #include <math.h>
@@ -17,7 +18,8 @@ struct equilibrium_push {
     int64_t spring;      /* of [3][sleepers] */
     int64_t z;           /* dof of its sleeper, roll follows */
     double y, k, gap;    /* m, N/m, m */
-    int closed;
+    int closed, held;    /* touches; has a part in K */
+    double lean;         /* m, beyond the gap where it is held without force */
     double over, rate;   /* m, beyond the gap at a state, and its change along a line from there */
 };
 
@@ -26,15 +28,23 @@ static double beyond(const struct equilibrium_push *p, const double *u)
     return u[p->z] + p->y * u[p->z + 1] - p->gap;
 }
 
-/* f = g M v with v = 1 for each deflection down: what lies along the elements loads their nodes as it moves them. */
+/* Column j of M, times g. */
+static void weigh_dof(const struct trk *t, int64_t j, double gravity, double *f)
+{
+    for (int64_t p = t->Ap[j]; p < t->Ap[j + 1]; p++)
+        f[t->Ai[p]] += t->Mx[p] * gravity;
+}
+
+/* f = g M v with v = 1 for each deflection down: what lies along the elements loads their nodes as it moves with them. */
 static void weigh(const struct trk *t, double gravity, double *f)
 {
-    for (int64_t i = 0; i < t->nodes + t->sleepers; i++)
-        for (int rail = 0; rail < (i < t->nodes ? TRK_RAILS : 1); rail++) {
-            const int64_t j = i < t->nodes ? t->node_dof[i] + 2 * rail : t->sleeper_dof[i - t->nodes];
-            for (int64_t p = t->Ap[j]; p < t->Ap[j + 1]; p++)
-                f[t->Ai[p]] += t->Mx[p] * gravity;
-        }
+    for (int64_t i = 0; i < t->nodes; i++)
+        for (int rail = 0; rail < TRK_RAILS; rail++)
+            weigh_dof(t, trk_rail_dof(t, rail, i), gravity, f);
+    for (int64_t i = 0; i < t->check_nodes; i++)
+        weigh_dof(t, t->check_dof[i], gravity, f);
+    for (int64_t i = 0; i < t->sleepers; i++)
+        weigh_dof(t, t->sleeper_dof[i], gravity, f);
 }
 
 /* Whether other springs touch at u than did. */
@@ -52,27 +62,42 @@ static int touch(struct equilibrium *e, const double *u)
     return changed;
 }
 
-/* K of what touches. */
-static const char *factor(struct equilibrium *e)
+/* K of the springs that are held. */
+static const char *factor_held(struct equilibrium *e)
 {
     double *K = (double *)e->tangent.Kx;
 
     memcpy(K, e->bare, (size_t)e->track->Ap[e->track->dofs] * sizeof *K);
     for (int64_t i = 0; i < e->pushes; i++)
-        if (e->push[i].closed)
+        if (e->push[i].held)
             assemble_ballast(&e->tangent, K, e->push[i].spring, e->push[i].k);
     return cholesky_again(&e->factor);
 }
 
-/* K u = f + k gap of what touches: Newton's step, from any state. */
+/* Of what touches at u, or of all; *newton says which. */
+static const char *factor(struct equilibrium *e, const double *u, int *newton)
+{
+    for (int64_t i = 0; i < e->pushes; i++) {
+        e->push[i].held = e->push[i].closed;
+        e->push[i].lean = 0;
+    }
+    *newton = factor_held(e) == NULL;
+    for (int64_t i = 0; i < e->pushes && !*newton; i++) {
+        e->push[i].lean = e->push[i].held ? 0 : beyond(&e->push[i], u);
+        e->push[i].held = 1;
+    }
+    return *newton ? NULL : factor_held(e);
+}
+
+/* K u = f + k (gap + lean) of what is held: Newton's step from any state, or that of all springs from where they lean. */
 static const char *solve(struct equilibrium *e, const double *f, double *u)
 {
     memcpy(e->load, f, (size_t)e->track->dofs * sizeof *f);
     for (int64_t i = 0; i < e->pushes; i++) {
         const struct equilibrium_push *p = &e->push[i];
-        if (p->closed) {
-            e->load[p->z] += p->k * p->gap;
-            e->load[p->z + 1] += p->k * p->gap * p->y;
+        if (p->held) {
+            e->load[p->z] += p->k * (p->gap + p->lean);
+            e->load[p->z + 1] += p->k * (p->gap + p->lean) * p->y;
         }
     }
     return cholesky_solve(&e->factor, e->load, u);
@@ -89,7 +114,7 @@ static double curvature(const struct trk *t, const double *u, const double *next
     return sum;
 }
 
-/* The energy's slope along the line: -(1 - a) d'K d, and what springs differ from K, which takes those that touched as bonded. */
+/* The energy's slope along the line: -(1 - a) d'K d, and what springs differ from K, which takes those held as bonded. */
 static double slope(const struct equilibrium *e, double dKd, double a)
 {
     double sum = -(1 - a) * dKd;
@@ -97,7 +122,7 @@ static double slope(const struct equilibrium *e, double dKd, double a)
     for (int64_t i = 0; i < e->pushes; i++) {
         const struct equilibrium_push *p = &e->push[i];
         const double over = p->over + a * p->rate;
-        sum += p->k * p->rate * (fmax(over, 0) - (p->closed ? over : 0));
+        sum += p->k * p->rate * (fmax(over, 0) - (p->held ? over - p->lean : 0));
     }
     return sum;
 }
@@ -125,11 +150,12 @@ const char *equilibrium_find(struct equilibrium *e, const double *f, double *u)
 {
     const char *why = solve(e, f, u);
     double part = 1;
+    int newton = 1;
 
-    for (int round = 0; !why && (touch(e, u) || part < 1); round++) {
+    for (int round = 0; !why && (touch(e, u) || part < 1 || !newton); round++) {
         if (round == ROUNDS_MOST)
             return reason("no static equilibrium on the ballast after %d rounds", ROUNDS_MOST);
-        if ((why = factor(e)) || (why = solve(e, f, e->next)))
+        if ((why = factor(e, u, &newton)) || (why = solve(e, f, e->next)))
             return why;
         part = way(e, u, e->next);
         for (int64_t i = 0; i < e->track->dofs; i++)
@@ -170,7 +196,8 @@ static const char *gather(struct equilibrium *e)
         open[i] = t->ballast_state[i] == TRK_BONDED ? TRK_BONDED : TRK_OPEN;
         if (open[i] == TRK_OPEN)
             e->push[e->pushes++] = (struct equilibrium_push){.spring = i, .z = t->sleeper_dof[i % t->sleepers], .y = t->ballast_y[i],
-                                                             .k = t->ballast_k[i], .gap = t->ballast_gap[i], .closed = 1};
+                                                             .k = t->ballast_k[i], .gap = t->ballast_gap[i], .closed = 1,
+                                                             .held = 1};
     }
     e->tangent.ballast_state = open;
     return e->pushes ? assemble_track(&e->tangent) : NULL;
