@@ -4,7 +4,7 @@
 
 static const char *const routes[] = {"through", "diverging", NULL};
 static const char *const directions[] = {"facing", NULL};
-static const char *const schemes[] = {"explicit", NULL};
+static const char *const schemes[] = {"explicit", "implicit", "auto", NULL};
 static const char *const laws[] = {"hertz", "linear", NULL};
 static const char *const sides[] = {"both", "left", "right", NULL};
 
@@ -90,7 +90,7 @@ const struct yaml_schema case_text_schema = {
          "station of the front wheelset at the start", NULL, NULL},
         {"end", YAML_NUM, AT(end), -YAML_NO_LIMIT, YAML_NO_LIMIT, "m", "60", "and at the end", NULL, NULL},
         {"step", YAML_NUM, AT(step), 1e-7, 1e-3, "s", "1e-4", "time step", NULL, NULL},
-        {"scheme", YAML_CHOICE, AT(scheme), 0, 0, "", "explicit", "time integration", NULL, schemes},
+        {"scheme", YAML_CHOICE, AT(scheme), 0, 0, "", "auto", "of the track: explicit where that holds, or implicit", NULL, schemes},
         {"contact", YAML_MAP, AT(contact), 0, 0, "", "{}", "wheel on rail", &contact_schema, NULL},
         {"sampling", YAML_NUM, AT(sampling), 1, 1e7, "Hz", "1000",
          "records a second; 1/step or more is every step", NULL, NULL},

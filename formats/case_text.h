@@ -6,6 +6,7 @@
 #include "formats/yaml.h"
 
 enum case_route { CASE_THROUGH, CASE_DIVERGING };
+enum case_scheme { CASE_EXPLICIT, CASE_IMPLICIT, CASE_AUTO };
 enum case_law { CASE_HERTZ, CASE_LINEAR };
 enum case_side { CASE_BOTH, CASE_LEFT, CASE_RIGHT };
 
@@ -33,7 +34,7 @@ struct case_text {
     struct yaml_list friction_on;            /* of struct case_friction */
     double start, end;                       /* m, stations of the front wheelset */
     double step;                             /* s */
-    int scheme;                              /* explicit is the only one */
+    int scheme;                              /* enum case_scheme */
     struct {
         int law;                             /* enum case_law */
         double stiffness, damping, series;   /* N/m, N s/m, N/m: of the linear law */

@@ -210,6 +210,8 @@ static void account(const struct passage *p, double begun, double started, doubl
     getrusage(RUSAGE_SELF, &used);
     cli_note("%lld steps of %g s, limit %.3g s; at the start no body accelerates by more than %.1e g", (long long)p->steps,
              p->o.step, p->limit, residual);
+    cli_note("track %s, %lld degrees of freedom, %.2f rounds of forces a step: %s", p->rails.scheme == WAY_EXPLICIT ? "explicit" : "implicit",
+             (long long)p->track->dofs, (double)p->rounds / (double)(p->steps + 1), p->rails.because);
     cli_note("start %.3f s, passage %.3f s (%.2f us a step), peak memory %ld MB", started - begun, seconds() - started,
              1e6 * (seconds() - started) / (double)p->steps, used.ru_maxrss / 1024);
 }

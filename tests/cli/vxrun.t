@@ -33,6 +33,8 @@ ok $? "from its own folder, to standard output"
 vxrun --set step=5e-5 -v -o "$dir/c.run" "$plain" >"$dir/out" 2>"$dir/err"
 [ ! -s "$dir/out" ] && grep -q '^vxrun: 900 steps of 5e-05 s, limit 0.00017' "$dir/err"
 ok $? "-v tells steps and limit on standard error"
+grep -q '^vxrun: track explicit, 1200 degrees of freedom, 1.00 rounds of forces a step: lumped' "$dir/err"
+ok $? "and which scheme moves the track, and why"
 vxinfo --history "$dir/c.run" | grep -q 'vxrun --set step=5e-05 -v\|vxrun --set step=5e-5 -v'
 ok $? "--set is part of the history"
 records() { vxinfo "$1" | sed -n 's/^records *\([0-9]*\) .*/\1/p'; }
@@ -108,7 +110,7 @@ refuses 1 "r.ctab: is of side r, but --contact-left wants side l" "a table of th
 refuses 1 "r.ctab: is of side r, but --contact-left wants side l" "both exchanged" --contact-left "$dir/r.ctab" --contact-right "$dir/l.ctab" "$plain"
 head -c 100000 "$dir/l.ctab" >"$dir/cut.ctab"
 refuses 1 "cut.ctab: truncated" "a table cut short" --contact-left "$dir/cut.ctab" "$plain"
-refuses 1 "beyond the limit of the explicit scheme" "too long a step" --set step=2e-4 "$plain"
+refuses 1 "beyond the limit of the explicit scheme" "too long a step" --set scheme=explicit --set step=2e-4 "$plain"
 refuses 1 "limit of the wheelsets' spin at 1.39 m/s" "too long a step for so low a speed" --set speed_kmh=5 "$plain"
 refuses 1 "the last wheelset would start at -71.56 m" "a start before the track" --set start=-50 "$plain"
 refuses 1 "the front wheelset would end at 60.00 m" "an end beyond it" --set end=60 "$plain"
@@ -117,10 +119,12 @@ refuses 1 "not a whole number of steps" "samples between steps" --set sampling=3
 vxvehicle --set wheelset.1.radius=0.45 --set coupling.1.at=[0,1.0,0.45] -o "$dir/small.veh" data/vehicles/manchester-passenger.yaml
 refuses 1 "wheelset 1 has radius 0.45 m" "a wheel that is not the table's" --vehicle "$dir/small.veh" "$plain"
 vxtrack --set from=-60 --set length=120 --set rail.elements_per_bay=2 -o "$dir/fine.trk" data/tracks/thesis-straight.yaml
-refuses 1 "one rail node above every sleeper" "a finer track" --track "$dir/fine.trk" "$plain"
+refuses 1 "one rail node above every sleeper" "a finer track" --set scheme=explicit --track "$dir/fine.trk" "$plain"
 for model in mass_model=consistent beam=timoshenko; do
     vxtrack --set from=-60 --set length=120 --set rail.$model -o "$dir/fine.trk" data/tracks/thesis-straight.yaml
-    refuses 1 "wants lumped Euler-Bernoulli rails" "a track with $model" --track "$dir/fine.trk" "$plain"
+    refuses 1 "wants lumped Euler-Bernoulli rails" "a track with $model" --set scheme=explicit --track "$dir/fine.trk" "$plain"
+    vxrun -v --track "$dir/fine.trk" -o "$dir/f.run" "$plain" 2>"$dir/err"
+    is "$? $(grep -c '^vxrun: track implicit, .*wants lumped Euler-Bernoulli rails' "$dir/err")" "0 1" "... which scheme: auto takes, and says why"
 done
 vxtrack --set from=-60 --set length=120 --set 'curve=[{from: -40, curvature: 0.002}]' -o "$dir/curve.trk" data/tracks/thesis-straight.yaml
 refuses 1 "in or behind a curve" "a start in a curve" --track "$dir/curve.trk" "$plain"

@@ -27,6 +27,7 @@ const char *options_read(struct passage_options *o, const struct case_text *c, d
         .start = c->start,
         .end = c->end,
         .step = c->step,
+        .scheme = c->scheme == CASE_EXPLICIT ? WAY_EXPLICIT : c->scheme == CASE_IMPLICIT ? WAY_IMPLICIT : WAY_AUTO,
         .law = contact_law(c),
         .dips = c->dip.n,
         .dip = c->dip.item,

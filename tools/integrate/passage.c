@@ -2,7 +2,6 @@
 #include "formats/reason.h"
 #include "tools/contact/lookup.h"
 #include "tools/creep/kalker.h"
-#include "tools/integrate/check_rail.h"
 #include "tools/integrate/two_step.h"
 
 #include <math.h>
@@ -92,12 +91,14 @@ const char *passage_new(struct passage *p, const struct passage_options *o, cons
     *p = (struct passage){.o = *o, .track = track, .vehicle = vehicle, .table = {left, right}, .station = o->start};
     p->steps = (int64_t)ceil((o->end - o->start) / (o->speed * o->step) - 1e-9);
     p->memory = calloc(wheels, sizeof *p->memory);
+    p->couple = calloc(wheels, sizeof *p->couple);
     p->wheel = calloc(wheels, sizeof *p->wheel);
-    if (!p->memory || !p->wheel || !sideways_new(&p->sideways, wheels))
+    if (!p->memory || !p->couple || !p->wheel || !sideways_new(&p->sideways, wheels))
         why = REASON_MEMORY;
     else if (!(why = check_ends(o, track, vehicle)) && !(why = check_tables(vehicle, left, right)) &&
              !(why = alignment_new(&p->alignment, track->curves, track->curve_x, track->curvature)) &&
-             !(why = way_new(&p->rails, track, vehicle->gravity, o->step, WAY_EXPLICIT)) && !(why = train_new(&p->train, vehicle, o->speed)))
+             !(why = way_new(&p->rails, track, vehicle->gravity, o->step, o->scheme)) &&
+             !(why = train_new(&p->train, vehicle, o->speed)))
         why = check_step(p);
     if (why)
         passage_free(p);
@@ -112,6 +113,7 @@ void passage_free(struct passage *p)
     way_free(&p->rails);
     train_free(&p->train);
     free(p->memory);
+    free(p->couple);
     free(p->wheel);
     free(p->sideways.y);
     memset(p, 0, sizeof *p);
@@ -133,33 +135,25 @@ static void sum_dips(const struct passage_options *o, double s, double *depth, d
     }
 }
 
-static double wheel_station(const struct passage *p, int64_t i)
+double passage_wheel_station(const struct passage *p, int64_t i)
 {
     return p->station + p->vehicle->cg[3 * p->vehicle->wheelset[i]];
 }
 
-static void fill_input(const struct passage *p, int64_t i, int side, const struct wheel_place *place, struct wheel_input *in)
+void passage_wheel_input(const struct passage *p, int64_t i, int side, const struct wheel_place *place, struct way_rail *rail,
+                         struct wheel_input *in)
 {
-    struct way_rail rail;
-
     in->table = p->table[side];
-    in->s = wheel_station(p, i);
+    in->s = passage_wheel_station(p, i);
     train_wheelset(&p->train, i, in);
-    way_look(&p->rails, side, place, &rail);
-    in->rail_z = rail.z;
-    in->rail_v = rail.v;
-    in->rail_slope = rail.slope;
-    in->compliance = rail.local;
+    way_look(&p->rails, side, place, rail);
+    in->rail_z = rail->z;
+    in->rail_v = rail->v;
+    in->rail_slope = rail->slope;
+    in->compliance = rail->local;
     in->rail_y = p->sideways.y[2 * i + side];
     in->rail_vy = p->sideways.v[2 * i + side];
     sum_dips(&p->o, in->s, &in->dip, &in->dip_slope);
-}
-
-void passage_wheel_input(const struct passage *p, int64_t i, int side, struct wheel_input *in)
-{
-    struct wheel_place place = way_find(&p->rails, side, wheel_station(p, i));
-
-    fill_input(p, i, side, &place, in);
 }
 
 /* m y'' = Y - k y - c y', Y without what goes into the check rail; nothing where the rails do not yield.  Creep damps a rail
@@ -188,32 +182,15 @@ static void move_sideways(struct passage *p)
     }
 }
 
-static const char *wheel_forces(struct passage *p)
-{
-    for (int64_t k = 0; k < 2 * p->vehicle->wheelsets; k++) {
-        int side = (int)(k % 2);
-        struct wheel_place place = way_find(&p->rails, side, wheel_station(p, k / 2));
-        struct wheel_input in;
-        fill_input(p, k / 2, side, &place, &in);
-        const char *why = wheel_force(&p->o.law, &in, &p->memory[k], &p->wheel[k]);
-        if (why)
-            return reason("wheelset %lld, %s wheel, station %.3f m: %s", (long long)(k / 2 + 1), side ? "right" : "left",
-                          in.s, why);
-        check_rail_add(p->track, side, &in, &p->wheel[k]);
-        way_load(&p->rails, side, &place, p->wheel[k].Q);
-        accelerate_sideways(p, k);
-    }
-    return NULL;
-}
-
 const char *passage_forces(struct passage *p)
 {
     const char *why;
 
     train_locate(&p->train, &p->alignment, p->station);
-    way_move(&p->rails);
-    if ((why = wheel_forces(p)))
+    if ((why = couple_wheels(p)))
         return why;
+    for (int64_t k = 0; k < 2 * p->vehicle->wheelsets; k++)
+        accelerate_sideways(p, k);
     way_finish(&p->rails);
     train_accelerate(&p->train, p->wheel);
     return NULL;

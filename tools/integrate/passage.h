@@ -9,6 +9,7 @@
 
 #include "formats/case_text.h"
 #include "tools/integrate/alignment.h"
+#include "tools/integrate/couple.h"
 #include "tools/integrate/train.h"
 #include "tools/integrate/way.h"
 #include "tools/integrate/wheel.h"
@@ -17,6 +18,7 @@ struct passage_options {
     double speed;                   /* m/s */
     double start, end;              /* m, stations of the front wheelset */
     double step;                    /* s */
+    enum way_scheme scheme;         /* of the track */
     struct wheel_law law;
     int64_t dips;
     const struct case_dip *dip;     /* [dips] depth/2 (1 - cos 2 pi (s - from)/length) under every wheel */
@@ -31,12 +33,14 @@ struct passage {
     struct way rails;
     struct train train;
     struct wheel_memory *memory;    /* [wheelsets][2] */
+    struct couple *couple;          /* [wheelsets][2] */
     struct wheel_output *wheel;     /* [wheelsets][2] */
     struct sideways {               /* [wheelsets][2] of the rail under each wheel, to the right */
         double *y, *v, *a;          /* m, m/s, m/s2 */
     } sideways;
     double limit;                   /* s, of a stable step */
     int64_t n, steps;               /* done, and in all */
+    int64_t rounds;                 /* of forces and rails, in all steps */
     double time, station;           /* s, m of the front wheelset */
 };
 
@@ -51,7 +55,11 @@ const char *passage_forces(struct passage *p);
 /* One step on; fails, with station and wheelset, where a wheel leaves its rail's table or motion is not finite. */
 const char *passage_step(struct passage *p);
 
-/* Rail deflection and the like for wheel (i, side) at the present state. */
-void passage_wheel_input(const struct passage *p, int64_t i, int side, struct wheel_input *in);
+/* m, of wheelset i */
+double passage_wheel_station(const struct passage *p, int64_t i);
+
+/* What wheel (i, side) meets at the present state, standing at `place` on its rail; the rail as it is there. */
+void passage_wheel_input(const struct passage *p, int64_t i, int side, const struct wheel_place *place, struct way_rail *rail,
+                         struct wheel_input *in);
 
 #endif

@@ -56,6 +56,14 @@ static const char *settle_track(struct rest *r)
 
 /* ---- wheels ---- */
 
+static void wheel_input(const struct passage *p, int64_t i, int side, struct wheel_input *in)
+{
+    const struct wheel_place place = way_find(&p->rails, side, passage_wheel_station(p, i));
+    struct way_rail rail;
+
+    passage_wheel_input(p, i, side, &place, &rail, in);
+}
+
 /* Height z of the wheel at which it carries `load`, with both wheels of the set at that height: bisection on a force that grows with z. */
 static const char *seek_height(struct rest *r, int64_t k, double *z)
 {
@@ -64,7 +72,7 @@ static const char *seek_height(struct rest *r, int64_t k, double *z)
     struct wheel_output out = {0};
     double low, high, load = r->load[k];
 
-    passage_wheel_input(p, k / 2, (int)(k % 2), &in);
+    wheel_input(p, k / 2, (int)(k % 2), &in);
     in.roll = in.vroll = in.rail_v = in.vz = 0;
     in.rail_slope = 0;
     low = in.rail_z - 0.02;
@@ -118,7 +126,7 @@ static const char *axle_moment(struct rest *r, int64_t i, double spin, double *m
         struct wheel_input in;
         struct wheel_memory memory = p->memory[2 * i + s];
         struct wheel_output out;
-        passage_wheel_input(p, i, s, &in);
+        wheel_input(p, i, s, &in);
         in.rail_slope = 0;
         why = wheel_force(&p->o.law, &in, &memory, &out);
         *moment += out.moment[1];
@@ -254,6 +262,10 @@ static const char *begin(struct passage *p, double *residual)
         return why;
     for (int64_t i = 0; i < p->vehicle->bodies; i++)
         *residual = fmax(*residual, fabs(p->train.a[6 * i + VEH_Z]) / p->vehicle->gravity);
+    for (size_t k = 0; k < (size_t)(2 * p->vehicle->wheelsets); k++) {
+        p->memory[k].before = p->memory[k].local;
+        p->couple[k].before = p->couple[k].last;
+    }
     memcpy(p->train.before, p->train.a, (size_t)p->train.dofs * sizeof *p->train.a);
     return NULL;
 }

@@ -12,6 +12,7 @@
 #define VX_INTEGRATE_WAY_H
 
 #include "tools/integrate/lumped.h"
+#include "tools/integrate/newmark.h"
 #include "tools/integrate/wheel_place.h"
 
 enum way_scheme { WAY_EXPLICIT, WAY_IMPLICIT, WAY_AUTO };
@@ -23,7 +24,8 @@ struct way {
     double step;                        /* s */
     double limit;                       /* s, of a stable step; HUGE_VAL */
     int at_rest;                        /* not moved yet: the state is what way_set gave */
-    struct lumped lumped;
+    struct lumped lumped;               /* the one, */
+    struct newmark newmark;             /* or the other */
 
     /* What the last way_finish left, for those who record it. */
     const double *w[2], *wa[2];         /* m, m/s2 [nodes] deflection and acceleration of the rails */
@@ -35,7 +37,7 @@ struct way {
 
 /* The rail under a wheel. */
 struct way_rail {
-    double z, v, slope;                 /* m, m/s, 1 deflection, rate of the material, dw/dx, of what is loaded so far */
+    double z, v, slope;                 /* m, m/s, 1 deflection, rate of the material, dw/dx, under what is loaded so far */
     double local;                       /* m/N beside it, of the loaded element between its nodes */
     double give, give_other;            /* m/N what a force gives within the step under it, and at the same place of the other rail */
     double turn, turn_other;            /* 1/N the same of the slope */
