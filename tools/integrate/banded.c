@@ -61,7 +61,7 @@ static inline void add_product(int64_t from, int64_t to, const double *restrict 
 }
 
 /* Block by block of y, so that it stays at hand for all diagonals. */
-CLONES static void multiply(int64_t n, int64_t half, int64_t stride, const double *a, const double *x, double *y)
+CLONES static void multiply_band(int64_t n, int64_t half, int64_t stride, const double *a, const double *x, double *y)
 {
     for (int64_t from = 0; from < n; from += BLOCK) {
         int64_t to = from + BLOCK < n ? from + BLOCK : n;
@@ -75,7 +75,7 @@ CLONES static void multiply(int64_t n, int64_t half, int64_t stride, const doubl
 
 void banded_multiply(const struct banded *b, const double *x, double *y)
 {
-    multiply(b->n, b->half, b->stride, b->x, x, y);
+    multiply_band(b->n, b->half, b->stride, b->x, x, y);
 }
 
 /* ---- factor ---- */

@@ -175,7 +175,7 @@ void newmark_set(struct newmark *m, const double *u)
 /* ---- the step ---- */
 
 /* What M and C multiply, of the state before. */
-CLONES static void combine(int64_t n, double h, const double *restrict u, const double *restrict v, const double *restrict a,
+CLONES static void combine_states(int64_t n, double h, const double *restrict u, const double *restrict v, const double *restrict a,
                            double *restrict u0, double *restrict displaced, double *restrict moved)
 {
     const double q = 2 / h;
@@ -190,7 +190,7 @@ CLONES static void combine(int64_t n, double h, const double *restrict u, const 
 
 void newmark_advance(struct newmark *m)
 {
-    combine(m->n, m->h, m->u, m->v, m->a, m->u0, m->displaced, m->moved);
+    combine_states(m->n, m->h, m->u, m->v, m->a, m->u0, m->displaced, m->moved);
     memcpy(m->u, m->weight, (size_t)m->n * sizeof *m->u);
     banded_multiply(&m->M, m->displaced, m->u);
     banded_multiply(&m->C, m->moved, m->u);
@@ -215,7 +215,7 @@ void newmark_load(struct newmark *m, int rail, const struct wheel_place *p, doub
     m->far_held[rail][p->node] += F * p->shape[3];
 }
 
-CLONES static void add(int64_t n, const double *restrict x, double *restrict y)
+CLONES static void add_loads(int64_t n, const double *restrict x, double *restrict y)
 {
     for (int64_t i = 0; i < n; i++)
         y[i] += x[i];
@@ -226,16 +226,16 @@ void newmark_move(struct newmark *m)
 {
     if (m->solved) {
         banded_solve(&m->S, m->f);
-        add(m->n, m->f, m->u);
+        add_loads(m->n, m->f, m->u);
     } else {
-        add(m->n, m->f, m->u);
+        add_loads(m->n, m->f, m->u);
         banded_solve(&m->S, m->u);
     }
     memset(m->f, 0, (size_t)m->n * sizeof *m->f);
     m->solved = 1;
 }
 
-CLONES static void rates(int64_t n, double h, const double *restrict u, const double *restrict u0, double *restrict v, double *restrict a)
+CLONES static void find_rates(int64_t n, double h, const double *restrict u, const double *restrict u0, double *restrict v, double *restrict a)
 {
     const double q = 2 / h;
 
@@ -261,7 +261,7 @@ static void show_rail(struct newmark *m, int s)
 }
 
 /* Rows t1 and t2 of K, whose w2 is less w1 (rigid displacement bends nothing), on [w1 t1 w2 t2], less the moments of held ends. */
-CLONES static void bend(int64_t n, const double *restrict w, const double *restrict t, const double *restrict k10,
+CLONES static void bend_elements(int64_t n, const double *restrict w, const double *restrict t, const double *restrict k10,
                         const double *restrict k11, const double *restrict k13, const double *restrict k30, const double *restrict k33,
                         const double *restrict near_held, const double *restrict far_held, double *restrict near, double *restrict far)
 {
@@ -299,11 +299,11 @@ static void show_sleepers(struct newmark *m)
 void newmark_finish(struct newmark *m)
 {
     if (m->solved)
-        rates(m->n, m->h, m->u, m->u0, m->v, m->a);
+        find_rates(m->n, m->h, m->u, m->u0, m->v, m->a);
     m->solved = 0;
     for (int s = 0; s < 2; s++) {
         show_rail(m, s);
-        bend(m->track->nodes, m->w[s], m->pitch[s], m->bend[s][0], m->bend[s][1], m->bend[s][2], m->bend[s][3], m->bend[s][4],
+        bend_elements(m->track->nodes, m->w[s], m->pitch[s], m->bend[s][0], m->bend[s][1], m->bend[s][2], m->bend[s][3], m->bend[s][4],
              m->near_held[s], m->far_held[s], m->near[s], m->far[s]);
     }
     show_sleepers(m);
