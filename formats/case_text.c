@@ -5,6 +5,8 @@
 static const char *const routes[] = {"through", "diverging", NULL};
 static const char *const directions[] = {"facing", NULL};
 static const char *const schemes[] = {"explicit", "implicit", "auto", NULL};
+static const char *const shapes[] = {"fresh", "worn", NULL};
+static const char *const spectra[] = {"none", "erri-low", "erri-high", NULL};
 static const char *const laws[] = {"hertz", "linear", NULL};
 static const char *const sides[] = {"both", "left", "right", NULL};
 
@@ -45,7 +47,42 @@ static const struct yaml_schema dip_schema = {
         {"length", YAML_NUM, offsetof(struct case_dip, length), YAML_POSITIVE, YAML_NO_LIMIT, "m", NULL,
          "its length", NULL, NULL},
         {"depth", YAML_NUM, offsetof(struct case_dip, depth), -0.05, 0.05, "m", NULL,
-         "depth/2 (1 - cos) of both rails, down", NULL, NULL},
+         "depth/2 (1 - cos), down", NULL, NULL},
+        {"rail", YAML_CHOICE, offsetof(struct case_dip, rail), 0, 0, "", "both", "which rail", NULL, sides},
+        {0},
+    }};
+
+static const struct yaml_schema joint_schema = {
+    "joint", sizeof(struct case_joint), (const struct yaml_field[]){
+        {"at", YAML_NUM, offsetof(struct case_joint, at), -YAML_NO_LIMIT, YAML_NO_LIMIT, "m", NULL, "station of the gap", NULL, NULL},
+        {"length", YAML_NUM, offsetof(struct case_joint, length), YAML_POSITIVE, YAML_NO_LIMIT, "m", NULL,
+         "over which both rail ends are bent down", NULL, NULL},
+        {"depth", YAML_NUM, offsetof(struct case_joint, depth), 0, 0.05, "m", NULL,
+         "depth (1 - |s - at|/(length/2))^2, down", NULL, NULL},
+        {"rail", YAML_CHOICE, offsetof(struct case_joint, rail), 0, 0, "", "both", "which rail", NULL, sides},
+        {0},
+    }};
+
+static const struct yaml_schema flat_schema = {
+    "wheel_flat", sizeof(struct case_flat), (const struct yaml_field[]){
+        {"wheelset", YAML_INT, offsetof(struct case_flat, wheelset), 1, 1000, "1", NULL, "number of the wheelset, from the front", NULL, NULL},
+        {"side", YAML_CHOICE, offsetof(struct case_flat, side), 0, 0, "", "both", "which wheel", NULL, sides},
+        {"length", YAML_NUM, offsetof(struct case_flat, length), YAML_POSITIVE, 0.2, "m", NULL, "of the chord worn off, at most", NULL, NULL},
+        {"shape", YAML_CHOICE, offsetof(struct case_flat, shape), 0, 0, "", "worn", "a chord with its edges, or rounded by rolling", NULL, shapes},
+        {"at", YAML_NUM, offsetof(struct case_flat, at), -YAML_NO_LIMIT, YAML_NO_LIMIT, "m", "0", "a station where it meets the rail", NULL, NULL},
+        {0},
+    }};
+
+#define IN_IRREGULARITY(member) (AT(irregularity.member) - AT(irregularity))
+static const struct yaml_schema irregularity_schema = {
+    "irregularity", sizeof((struct case_text *)0)->irregularity, (const struct yaml_field[]){
+        {"file", YAML_TEXT, IN_IRREGULARITY(file), 0, 0, "", YAML_ABSENT, "measured track geometry, relative to the case", NULL, NULL},
+        {"spectrum", YAML_CHOICE, IN_IRREGULARITY(spectrum), 0, 0, "", "none", "random, of the spectra of ERRI B 176", NULL, spectra},
+        {"seed", YAML_INT, IN_IRREGULARITY(seed), 0, 1e9, "1", "1", "of the random phases", NULL, NULL},
+        {"shortest", YAML_NUM, IN_IRREGULARITY(shortest), 0.1, 100, "m", "3", "wavelength of the spectrum", NULL, NULL},
+        {"longest", YAML_NUM, IN_IRREGULARITY(longest), 0.1, 1e3, "m", "70", "and", NULL, NULL},
+        {"scale", YAML_NUM, IN_IRREGULARITY(scale), -100, 100, "1", "1", "factor on the irregularity", NULL, NULL},
+        {"fade", YAML_NUM, IN_IRREGULARITY(fade), 1e-3, 1e3, "m", "10", "over which it comes up from the start", NULL, NULL},
         {0},
     }};
 
@@ -95,6 +132,9 @@ const struct yaml_schema case_text_schema = {
         {"sampling", YAML_NUM, AT(sampling), 1, 1e7, "Hz", "1000",
          "records a second; 1/step or more is every step", NULL, NULL},
         {"channels", YAML_MAP, AT(channels), 0, 0, "", "{}", "groups of channels to record", &channels_schema, NULL},
-        {"dip", YAML_LIST, AT(dip), 0, 0, "", "[]", "dips of both rails", &dip_schema, NULL},
+        {"dip", YAML_LIST, AT(dip), 0, 0, "", "[]", "dips of the rails", &dip_schema, NULL},
+        {"joint", YAML_LIST, AT(joint), 0, 0, "", "[]", "dipped rail joints", &joint_schema, NULL},
+        {"wheel_flat", YAML_LIST, AT(flat), 0, 0, "", "[]", "flats of wheels", &flat_schema, NULL},
+        {"irregularity", YAML_MAP, AT(irregularity), 0, 0, "", "{}", "of the track's geometry", &irregularity_schema, NULL},
         {0},
     }};

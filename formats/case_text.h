@@ -10,8 +10,24 @@ enum case_scheme { CASE_EXPLICIT, CASE_IMPLICIT, CASE_AUTO };
 enum case_law { CASE_HERTZ, CASE_LINEAR };
 enum case_side { CASE_BOTH, CASE_LEFT, CASE_RIGHT };
 
+enum case_shape { CASE_FRESH, CASE_WORN };
+enum case_spectrum { CASE_NO_SPECTRUM, CASE_ERRI_LOW, CASE_ERRI_HIGH };
+
 struct case_dip {
     double from, length, depth;              /* m */
+    int rail;                                /* enum case_side */
+};
+
+struct case_joint {
+    double at, length, depth;                /* m */
+    int rail;                                /* enum case_side */
+};
+
+struct case_flat {
+    int64_t wheelset;                        /* from 1 */
+    int side;                                /* enum case_side */
+    int shape;                               /* enum case_shape */
+    double length, at;                       /* m, of the chord; a station where it meets the rail */
 };
 
 /* Contacts with a coefficient of friction of their own. */
@@ -43,7 +59,14 @@ struct case_text {
     } contact;
     double sampling;                         /* Hz */
     struct { int group[RUN_GROUPS]; } channels;
-    struct yaml_list dip;                    /* of struct case_dip */
+    struct yaml_list dip, joint, flat;       /* of struct case_dip, case_joint, case_flat */
+    struct {
+        char *file;                          /* irregularity.h, relative to the case; NULL where there is none */
+        int spectrum;                        /* enum case_spectrum */
+        int64_t seed;
+        double shortest, longest;            /* m, wavelengths */
+        double scale, fade;                  /* 1, m */
+    } irregularity;
 };
 
 extern const struct yaml_schema case_text_schema;

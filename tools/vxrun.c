@@ -73,6 +73,7 @@ struct inputs {
     struct trk track;
     struct veh vehicle;
     struct ctab table[2];
+    struct irregularity measured;    /* where the case names a file of it */
 };
 
 /* A file named by the case lies beside the case. */
@@ -121,6 +122,17 @@ static void check_track(const char *path, const struct case_text *c, const struc
         cli_die("%s: the route is diverging, but this track has no curve", path);
 }
 
+static void read_irregularity(struct inputs *in, const char *path)
+{
+    char *name = in->text.irregularity.file;
+
+    if (!name)
+        return;
+    name = beside(path, name);
+    cli_check(name, irregularity_read(&in->measured, name));
+    free(name);
+}
+
 static void read_inputs(struct inputs *in, const char *path)
 {
     const struct case_text *c = &in->text;
@@ -142,6 +154,7 @@ static void read_inputs(struct inputs *in, const char *path)
     check_side(name[2], &in->table[0], 'l');
     check_side(name[3], &in->table[1], 'r');
     check_track(name[0], c, &in->track);
+    read_irregularity(in, path);
     for (int i = 0; i < 4; i++)
         free(name[i]);
 }
@@ -197,6 +210,8 @@ static void describe(const struct inputs *in, struct record *r, struct vxf_out *
     for (int i = 0; i < 4; i++)
         vxf_put_input(head, &in->file[i]);
     vxf_put_key(head, "INPUT", "case %016llx", (unsigned long long)in->hash);
+    if (in->text.irregularity.file)
+        vxf_put_key(head, "INPUT", "irregularity %016llx", (unsigned long long)in->measured.hash);
     vxf_put_key(head, "CMD", "%s", cli_command());
     snprintf(r->run.name, sizeof r->run.name, "%s", in->text.name);
     snprintf(r->run.route, sizeof r->run.route, "%s", route[in->text.route]);
@@ -233,7 +248,7 @@ int main(int argc, char **argv)
         return cli_end();
     }
     read_inputs(&in, path);
-    cli_check("case", options_read(&o, &in.text, in.text.speed / 3.6));
+    cli_check("case", options_read(&o, &in.text, in.text.speed / 3.6, in.text.irregularity.file ? &in.measured : NULL));
     cli_check("case", options_sampling(&in.text, &every));
     cli_check("case", passage_new(&p, &o, &in.track, &in.vehicle, &in.table[0], &in.table[1]));
     cli_check("start", passage_start(&p, &residual));
@@ -250,6 +265,7 @@ int main(int argc, char **argv)
     passage_free(&p);
     for (int i = 0; i < 4; i++)
         vxf_close(&in.file[i]);
+    irregularity_free(&in.measured);
     yaml_release(&case_text_schema, &in.text);
     return cli_end();
 }

@@ -129,6 +129,29 @@ done
 vxtrack --set from=-60 --set length=120 --set 'curve=[{from: -40, curvature: 0.002}]' -o "$dir/curve.trk" data/tracks/thesis-straight.yaml
 refuses 1 "in or behind a curve" "a start in a curve" --track "$dir/curve.trk" "$plain"
 
+printf 'station (m), cross_level (mm)\n-100, 0.1\n100, 0.2\n' >"$dir/cases/level.csv"
+printf 'station (m), gauge (mm)\n1, 0.1\n2, 0.2\n' >"$dir/cases/short.csv"
+flawed()
+{
+    printf "$3" >"$dir/cases/flawed.csv"
+    refuses 1 "flawed.csv: $1" "an irregularity with $2" --set irregularity.file=flawed.csv "$plain"
+}
+flawed "line 1: a heading must name each column" "no units" 'station, gauge\n1, 2\n'
+flawed "line 1: unit of column 'gauge' must be m or mm, is 'cm'" "an odd unit" 'station (m), gauge (cm)\n1, 2\n'
+flawed "line 1: column 'twist' is none of" "a quantity that is not known" 'station (m), twist (m)\n'
+flawed "line 1: column 'gauge' is there twice" "a column twice" 'station (m), gauge (m), gauge (m)\n'
+flawed "line 1: column 'station' is missing" "no station" 'gauge (m)\n1\n'
+flawed "line 1: no column beside the station" "stations alone" 'station (m)\n1\n'
+flawed "line 3: station 1 m must lie beyond" "a station twice" 'station (m), gauge (m)\n1, 0\n1, 0\n'
+flawed "line 2: 'x' is not a number" "a word" 'station (m), gauge (m)\n1, x\n'
+flawed "line 2: 'nan' is not a number" "nan" 'station (m), gauge (m)\n1, nan\n'
+flawed "line 2: should be 2 numbers between commas" "a third number" 'station (m), gauge (m)\n1, 2, 3\n'
+flawed "fewer than two lines" "one line" 'station (m), gauge (m)\n1, 2\n'
+refuses 1 "irregularity: reaches from 1 to 2 m, but" "an irregularity that is too short" --set irregularity.file=short.csv "$plain"
+refuses 1 "none.csv: No such file" "an irregularity that is not there" --set irregularity.file=none.csv "$plain"
+refuses 1 "file and spectrum exclude each other" "irregularity twice" --set irregularity.file=level.csv --set irregularity.spectrum=erri-low "$plain"
+refuses 1 "shortest, 80 m, must be below longest" "wavelengths the wrong way" --set irregularity.spectrum=erri-low --set irregularity.shortest=80 "$plain"
+refuses 1 "wheel_flat.1.wheelset is 9, but the vehicle has" "a flat on no wheelset" --set 'wheel_flat=[{wheelset: 9, length: 0.05}]' "$plain"
 fails 1 "a full disk" vxrun -o /dev/full "$plain"
 vxrun "$plain" >/dev/full 2>"$dir/err"
 is "$? $(cat "$dir/err")" "1 vxrun: standard output: write error: No space left on device" "a full standard output"

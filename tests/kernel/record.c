@@ -5,7 +5,7 @@
 #include "tests/kernel/tap.h"
 #include "tools/integrate/start.h"
 
-static const struct case_dip dip = {0, 1, 1e-3};
+static const struct case_dip dip = {.from = 0, .length = 1, .depth = 1e-3};
 static const int all[RUN_GROUPS] = {1, 1, 1, 1, 1, 1};
 
 struct fixture {
@@ -25,8 +25,8 @@ static void set_up(struct fixture *f, const int *groups, int64_t every)
 
     memset(f, 0, sizeof *f);
     o.speed = 200 / 3.6;
-    o.dips = 1;
-    o.dip = &dip;
+    o.excitation.dips = 1;
+    o.excitation.dip = &dip;
     rig_table(&f->table[0], 'l', 0.025);
     rig_table(&f->table[1], 'r', -0.025);
     if ((why = rig_track(&f->track, RIG_STRAIGHT, NULL, 0)) || (why = rig_vehicle(&f->vehicle, RIG_WHEELSET, NULL, 0)) ||

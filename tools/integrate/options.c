@@ -18,8 +18,38 @@ static struct wheel_law contact_law(const struct case_text *c)
     return law;
 }
 
-const char *options_read(struct passage_options *o, const struct case_text *c, double speed)
+static struct excitation_options excitation_of(const struct case_text *c, const struct irregularity *measured)
 {
+    struct excitation_options e = {
+        .dips = c->dip.n, .joints = c->joint.n, .flats = c->flat.n,
+        .dip = c->dip.item, .joint = c->joint.item, .flat = c->flat.item,
+        .measured = measured,
+        .scale = c->irregularity.scale, .fade = c->irregularity.fade, .from = c->start, .to = c->end,
+    };
+
+    if (c->irregularity.spectrum != CASE_NO_SPECTRUM)
+        e.waves = (struct spectrum_waves){
+            c->irregularity.spectrum == CASE_ERRI_LOW ? SPECTRUM_LOW : SPECTRUM_HIGH,
+            c->irregularity.shortest, c->irregularity.longest, c->end - c->start, c->irregularity.seed,
+        };
+    return e;
+}
+
+static const char *check_irregularity(const struct case_text *c)
+{
+    if (c->irregularity.file && c->irregularity.spectrum != CASE_NO_SPECTRUM)
+        return "irregularity: file and spectrum exclude each other";
+    if (c->irregularity.shortest >= c->irregularity.longest)
+        return reason("irregularity: shortest, %g m, must be below longest, %g m", c->irregularity.shortest, c->irregularity.longest);
+    return NULL;
+}
+
+const char *options_read(struct passage_options *o, const struct case_text *c, double speed, const struct irregularity *measured)
+{
+    const char *why = check_irregularity(c);
+
+    if (why)
+        return why;
     if (c->end <= c->start)
         return reason("end, %g m, must lie beyond start, %g m", c->end, c->start);
     *o = (struct passage_options){
@@ -29,8 +59,7 @@ const char *options_read(struct passage_options *o, const struct case_text *c, d
         .step = c->step,
         .scheme = c->scheme == CASE_EXPLICIT ? WAY_EXPLICIT : c->scheme == CASE_IMPLICIT ? WAY_IMPLICIT : WAY_AUTO,
         .law = contact_law(c),
-        .dips = c->dip.n,
-        .dip = c->dip.item,
+        .excitation = excitation_of(c, measured),
     };
     return NULL;
 }

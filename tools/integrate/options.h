@@ -5,8 +5,9 @@
 #include "formats/case_text.h"
 #include "tools/integrate/passage.h"
 
-/* speed in m/s, which the case has in km/h.  The dips and rules of friction of c must outlive o. */
-const char *options_read(struct passage_options *o, const struct case_text *c, double speed);
+/* speed in m/s, which the case has in km/h; measured is what its irregularity.file holds, NULL where it names none.  The lists of c and
+ * measured must outlive o. */
+const char *options_read(struct passage_options *o, const struct case_text *c, double speed, const struct irregularity *measured);
 
 /* Whole steps between samples into *every. */
 const char *options_sampling(const struct case_text *c, int64_t *every);

@@ -37,6 +37,15 @@ static const char *check_tables(const struct veh *v, const struct ctab *left, co
     return NULL;
 }
 
+static const char *check_flats(const struct excitation_options *o, const struct veh *v)
+{
+    for (int64_t i = 0; i < o->flats; i++)
+        if (o->flat[i].wheelset > v->wheelsets)
+            return reason("wheel_flat.%lld.wheelset is %lld, but the vehicle has %lld", (long long)i + 1, (long long)o->flat[i].wheelset,
+                          (long long)v->wheelsets);
+    return NULL;
+}
+
 /* 1/s, at which creep forces bring the spin of wheelset i to free rolling: Jy w' = -(r0^2/v) sum G a b C11 w.  The scheme takes
  * velocities one step on by their past: a decay is stable to a step of 1/rate. */
 static double spin_rate(const struct passage *p, int64_t i)
@@ -97,6 +106,7 @@ const char *passage_new(struct passage *p, const struct passage_options *o, cons
         why = REASON_MEMORY;
     else if (!(why = check_ends(o, track, vehicle)) && !(why = check_tables(vehicle, left, right)) &&
              !(why = alignment_new(&p->alignment, track->curves, track->curve_x, track->curvature)) &&
+             !(why = check_flats(&o->excitation, vehicle)) && !(why = excitation_new(&p->excitation, &o->excitation)) &&
              !(why = way_new(&p->rails, track, vehicle->gravity, o->step, o->scheme)) &&
              !(why = train_new(&p->train, vehicle, o->speed)))
         why = check_step(p);
@@ -110,6 +120,7 @@ const char *passage_new(struct passage *p, const struct passage_options *o, cons
 void passage_free(struct passage *p)
 {
     alignment_free(&p->alignment);
+    excitation_free(&p->excitation);
     way_free(&p->rails);
     train_free(&p->train);
     free(p->memory);
@@ -121,20 +132,6 @@ void passage_free(struct passage *p)
 
 /* ---- forces ---- */
 
-/* Depth and slope of all dips at s. */
-static void sum_dips(const struct passage_options *o, double s, double *depth, double *slope)
-{
-    *depth = *slope = 0;
-    for (int64_t i = 0; i < o->dips; i++) {
-        const struct case_dip *d = &o->dip[i];
-        double k = 2 * M_PI / d->length;
-        if (s <= d->from || s >= d->from + d->length)
-            continue;
-        *depth += 0.5 * d->depth * (1 - cos(k * (s - d->from)));
-        *slope += 0.5 * d->depth * k * sin(k * (s - d->from));
-    }
-}
-
 double passage_wheel_station(const struct passage *p, int64_t i)
 {
     return p->station + p->vehicle->cg[3 * p->vehicle->wheelset[i]];
@@ -143,6 +140,8 @@ double passage_wheel_station(const struct passage *p, int64_t i)
 void passage_wheel_input(const struct passage *p, int64_t i, int side, const struct wheel_place *place, struct way_rail *rail,
                          struct wheel_input *in)
 {
+    struct excitation_at at;
+
     in->table = p->table[side];
     in->s = passage_wheel_station(p, i);
     train_wheelset(&p->train, i, in);
@@ -153,7 +152,11 @@ void passage_wheel_input(const struct passage *p, int64_t i, int side, const str
     in->compliance = rail->local;
     in->rail_y = p->sideways.y[2 * i + side];
     in->rail_vy = p->sideways.v[2 * i + side];
-    sum_dips(&p->o, in->s, &in->dip, &in->dip_slope);
+    excitation_find(&p->excitation, in->s, i, side, p->vehicle->radius[i], &at);
+    in->dip = at.z;
+    in->dip_slope = at.z_slope;
+    in->line = at.y;
+    in->line_slope = at.y_slope;
 }
 
 /* m y'' = Y - k y - c y', Y without what goes into the check rail; nothing where the rails do not yield.  Creep damps a rail

@@ -10,6 +10,7 @@
 #include "formats/case_text.h"
 #include "tools/integrate/alignment.h"
 #include "tools/integrate/couple.h"
+#include "tools/integrate/excitation.h"
 #include "tools/integrate/train.h"
 #include "tools/integrate/way.h"
 #include "tools/integrate/wheel.h"
@@ -20,8 +21,7 @@ struct passage_options {
     double step;                    /* s */
     enum way_scheme scheme;         /* of the track */
     struct wheel_law law;
-    int64_t dips;
-    const struct case_dip *dip;     /* [dips] depth/2 (1 - cos 2 pi (s - from)/length) under every wheel */
+    struct excitation_options excitation;
 };
 
 struct passage {
@@ -30,6 +30,7 @@ struct passage {
     const struct veh *vehicle;
     const struct ctab *table[2];    /* left, right */
     struct alignment alignment;
+    struct excitation excitation;
     struct way rails;
     struct train train;
     struct wheel_memory *memory;    /* [wheelsets][2] */

@@ -22,9 +22,9 @@ void wheel_condense(struct wheel_law *law, double stiffness, double damping, dou
 
 const char *wheel_meet(const struct wheel_input *in, struct wheel_approach *a)
 {
-    double u = in->y - in->roll * in->radius - in->rail_y;
+    double u = in->y - in->roll * in->radius - in->rail_y - in->line;
 
-    a->n = contact_lookup(in->table, in->s, in->yaw, u, in->roll, a->c);
+    a->n = contact_lookup(in->table, in->s, in->yaw - in->line_slope, u, in->roll, a->c);
     if (a->n < 0)
         return reason("the wheel is %.1f mm beside its rail, which is beyond the contact table", 1e3 * u);
     for (int k = 0; k < a->n; k++)
@@ -35,13 +35,13 @@ const char *wheel_meet(const struct wheel_input *in, struct wheel_approach *a)
 /* reach = z + roll b - height(u, roll, s) - rail - dip, all vertical, b the running circle's y. */
 static void find_reach(const struct wheel_input *in, struct wheel_approach *a)
 {
-    double b = in->table->wheel_position, vu = in->vy - in->vroll * in->radius - in->rail_vy;
+    double b = in->table->wheel_position, vu = in->vy - in->vroll * in->radius - in->rail_vy - in->line_slope * in->v;
 
     for (int k = 0; k < a->n; k++) {
         const struct contact *c = &a->c[k];
         a->reach[k] = in->z + in->roll * b - c->height - in->rail_z - in->dip;
         a->rate[k] = in->vz + in->vroll * b - c->height_u * vu - c->height_roll * in->vroll - c->height_yaw * in->vyaw - c->height_s * in->v -
-                     in->rail_v - in->rail_slope * in->v - in->dip_slope * in->v - c->height_yaw * in->vyaw;
+                     in->rail_v - in->rail_slope * in->v - in->dip_slope * in->v;
     }
 }
 
@@ -133,7 +133,7 @@ static void add_contact(const struct wheel_law *law, const struct wheel_input *i
     const struct ctab *t = in->table;
     const double *row = a->c[k].row;
     double N = a->N[k], w = a->c[k].weight, root = cbrt(N), g = row[CTAB_ANGLE], cosg = a->cosg[k], sing = sin(g);
-    double y = t->rail_position + in->rail_y + row[CTAB_RAIL_Y], z = rail_z + row[CTAB_RAIL_Z];
+    double y = t->rail_position + in->rail_y + in->line + row[CTAB_RAIL_Y], z = rail_z + row[CTAB_RAIL_Z];
     double semi_a = row[CTAB_HERTZ_A] * root, semi_b = row[CTAB_HERTZ_B] * root;
     double r[3] = {row[CTAB_X], y - in->y, z - in->z + in->radius}, creep[3], T[3], F[3], M[3];
 

@@ -39,7 +39,8 @@ struct wheel_input {
     double rail_slope;           /* 1 dw/dx */
     double compliance;           /* m/N of the rail below rail_z, in series with the contact: of the loaded element, and what a step gives */
     double past, time;           /* m, s: a deflection d there has the rate (d - past)/time */
-    double dip, dip_slope;       /* m, 1 irregularity: its depth and slope along s */
+    double dip, dip_slope;       /* m, 1 irregularity: how far the rail's top lies below its place, and the slope of that along s */
+    double line, line_slope;     /* m, 1 irregularity: how far the rail lies to the right of its place, and the slope of that */
 };
 
 /* Carried from step to step. */
