@@ -130,4 +130,5 @@ help:                       ## this list
 include pipelines/demo.mk
 include pipelines/yaw.mk
 include pipelines/track.mk
+include pipelines/vehicles.mk
 include tests/bench/bench.mk

@@ -30,7 +30,7 @@ out/%.frf: $(BIN)/vxfreq
 	$(BIN)/vxfreq --receptance $(RECEPTANCE) -o $@ $(call of,.trk)
 
 out/%.mod: $(BIN)/vxfreq
-	$(BIN)/vxfreq --modes $(MODES) -o $@ $(call of,.trk)
+	$(BIN)/vxfreq --modes $(MODES) -o $@ $(call of,.trk) $(call of,.veh)
 
 out/%.run: $(BIN)/vxrun
 	$(BIN)/vxrun $(SET) --track $(call of,.trk) --vehicle $(call of,.veh) --contact-left $(call of,-l.ctab) \
