@@ -20,7 +20,8 @@ static void stroke(struct chart *c, struct chart_panel *p, const double at[2], i
 /* Springs stand on one side of the point, dampers on the other, both beside the middle third, where they would cross those of the other way. */
 static void add_spring(struct chart *c, struct chart_panel *p, const double at[2], int way, double size)
 {
-    static const double zigzag[] = {-0.5, -0.65, -0.38, -0.65, -0.32, -0.5, -0.2, -0.8, -0.07, -0.5, 0.07, -0.8, 0.2, -0.5, 0.32, -0.8, 0.38, -0.65, 0.5, -0.65};
+    static const double zigzag[] = {
+        -0.5, -0.65, -0.38, -0.65, -0.32, -0.5, -0.2, -0.8, -0.07, -0.5, 0.07, -0.8, 0.2, -0.5, 0.32, -0.8, 0.38, -0.65, 0.5, -0.65};
 
     stroke(c, p, at, way, size, 10, zigzag, spring);
 }
