@@ -2,7 +2,8 @@
 
 #include <math.h>
 
-static const unsigned spring = CHART_BLUE, damper = CHART_GREEN, stop = CHART_RED, moment = CHART_PURPLE, other = CHART_WINE;
+static const unsigned spring = CHART_BLUE, damper = CHART_GREEN, stop = CHART_RED, moment = CHART_PURPLE, rod = CHART_BLACK, slide = CHART_ORANGE,
+                      place = CHART_WINE;
 static const double line = 1.2;      /* pt */
 
 /* n points of a symbol along the page's x (way 0) or y (way 1) about `at`: xy [n][2] in sizes, along and across. */
@@ -65,35 +66,69 @@ static int any(const double *x, int n)
     return found;
 }
 
+/* Two faces that slide on each other along the way. */
+static void add_friction(struct chart *c, struct chart_panel *p, const double at[2], int way, double size)
+{
+    stroke(c, p, at, way, size, 2, (double[]){-0.45, 1.0, 0.25, 1.0}, slide);
+    stroke(c, p, at, way, size, 2, (double[]){-0.25, 1.12, 0.45, 1.12}, slide);
+}
+
+/* What acts along the line between two ends. */
+static void add_line(struct chart *c, struct chart_panel *p, const double at[2], const double to[2], unsigned colour)
+{
+    view_line(c, p, 2, (double[]){at[0], at[1], to[0], to[1]}, colour, 2 * line);
+    add_mark(c, p, to, CANVAS_DISC, place);
+}
+
+/* What coupling k does along one of the page's axes. */
+static void add_way(struct chart *c, struct chart_panel *p, const double at[2], int way, int axis, const struct veh *v, int64_t k, double size)
+{
+    const int64_t type = v->type[k];
+    const int here = v->axis[k] == axis;
+
+    if ((type == VEH_BUSHING && v->stiffness[VEH_DOFS * k + axis] > 0) || (type == VEH_SPRING && here))
+        add_spring(c, p, at, way, size);
+    if ((type == VEH_BUSHING && v->damping[VEH_DOFS * k + axis] > 0) || (type == VEH_DAMPER && here))
+        add_damper(c, p, at, way, size);
+    if (type == VEH_STOP && here)
+        add_stop(c, p, at, way, size, v->knot_at[v->knot_first[k]]);
+    if (type == VEH_FRICTION && v->stiffness[VEH_DOFS * k + axis] > 0)
+        add_friction(c, p, at, way, size);
+}
+
 void symbols_add(struct chart *c, struct chart_panel *p, enum view view, const struct veh *v, int64_t k, double size)
 {
-    const double *stiffness = &v->stiffness[VEH_DOFS * k], *damping = &v->damping[VEH_DOFS * k];
-    double at[2];
+    const int64_t type = v->type[k];
+    const int *axis = view_axes[view].axis;
+    double at[2], to[2];
 
     view_place(view, &v->point[3 * k], at);
-    add_mark(c, p, at, CANVAS_DISC, other);
-    for (int way = 0; way < 2; way++) {
-        const int axis = view_axes[view].axis[way];
-        if (stiffness[axis] > 0)
-            add_spring(c, p, at, way, size);
-        if (damping[axis] > 0)
-            add_damper(c, p, at, way, size);
-        if (v->type[k] == VEH_STOP && v->stop_axis[k] == axis)
-            add_stop(c, p, at, way, size, v->knot_at[v->knot_first[k]]);
+    view_place(view, &v->end[3 * k], to);
+    add_mark(c, p, at, CANVAS_DISC, place);
+    if (type == VEH_ROD || (type == VEH_DAMPER && v->axis[k] == VEH_LINE)) {
+        add_line(c, p, at, to, type == VEH_ROD ? rod : damper);
+        return;
     }
-    if (v->type[k] == VEH_STOP && v->stop_axis[k] != view_axes[view].axis[0] && v->stop_axis[k] != view_axes[view].axis[1])
+    for (int way = 0; way < 2; way++)
+        add_way(c, p, at, way, axis[way], v, k, size);
+    if (type == VEH_STOP && v->axis[k] != axis[0] && v->axis[k] != axis[1])
         add_mark(c, p, at, CANVAS_CROSS, stop);
-    if (any(stiffness + 3, 3) || any(damping + 3, 3))
+    if (any(&v->stiffness[VEH_DOFS * k + VEH_ROLL], 3) || any(&v->damping[VEH_DOFS * k + VEH_ROLL], 3))
         add_mark(c, p, at, CANVAS_RING, moment);
 }
 
-void symbols_legend(struct chart *c, struct chart_panel *p)
+void symbols_legend(struct chart *c, struct chart_panel *p, const struct veh *v)
 {
-    static const struct { const char *words; const unsigned *colour; enum canvas_mark mark; } entry[] = {
-        {"spring", &spring, CANVAS_NO_MARK}, {"damper", &damper, CANVAS_NO_MARK}, {"stop", &stop, CANVAS_NO_MARK},
-        {"acts about axes", &moment, CANVAS_RING}};
+    static const struct { const char *words; const unsigned *colour; enum canvas_mark mark; int type; } entry[] = {
+        {"spring", &spring, CANVAS_NO_MARK, -1}, {"damper", &damper, CANVAS_NO_MARK, -1}, {"stop", &stop, CANVAS_NO_MARK, VEH_STOP},
+        {"rod", &rod, CANVAS_NO_MARK, VEH_ROD}, {"friction", &slide, CANVAS_NO_MARK, VEH_FRICTION}, {"acts about axes", &moment, CANVAS_RING, -1}};
 
     for (size_t k = 0; k < sizeof entry / sizeof *entry; k++) {
+        int used = entry[k].type < 0;
+        for (int64_t i = 0; i < v->couplings; i++)
+            used |= v->type[i] == entry[k].type;
+        if (!used)
+            continue;
         struct chart_series *s = chart_add_series(c, p, entry[k].words, 0, NULL, NULL);
         s->colour = *entry[k].colour;
         s->mark = entry[k].mark;

@@ -138,7 +138,7 @@ static void add_view(struct chart *c, enum view view, const struct drawing *d)
     c->type = type;
     set_limits(c, p, view, d);
     if (view == VIEW_SIDE)
-        symbols_legend(c, p);
+        symbols_legend(c, p, d->v);
     if (view != VIEW_TOP)
         view_line(c, p, 2, (double[]){view == VIEW_SIDE ? d->from : -1.5, 0, view == VIEW_SIDE ? d->to : 1.5, 0}, CHART_BLACK, 0.8);
     add_bodies(c, p, view, d);
