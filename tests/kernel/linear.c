@@ -124,7 +124,8 @@ static void test_modes(const struct veh *v)
 
 int main(void)
 {
-    static const char *const vehicle[] = {"manchester-passenger", "passenger-19t", "freight-y25-22t5", "wheelset"};
+    static const char *const vehicle[] = {"manchester-passenger", "passenger-19t", "freight-y25-22t5", "freight-y25-22t5-linear",
+                                         "freight-y25-tare", "wheelset"};
 
     for (size_t i = 0; i < sizeof vehicle/sizeof *vehicle; i++) {
         char path[64];

@@ -93,6 +93,7 @@ static void test_trains(void)
 {
     static const struct { const char *path; double load; } train[] = {
         {"data/vehicles/passenger-19t.yaml", 93.2e3}, {"data/vehicles/freight-y25-22t5.yaml", 110.4e3},
+        {"data/vehicles/freight-y25-22t5-linear.yaml", 110.4e3}, {"data/vehicles/freight-y25-tare.yaml", 24.525e3},
         {"data/vehicles/wheelset.yaml", 54.55e3}};
 
     for (size_t i = 0; i < sizeof train/sizeof *train; i++) {
