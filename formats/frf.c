@@ -8,6 +8,8 @@
 
 const struct frf_quantity frf_quantity[] = {{"receptance", "m/N"}, {"mobility", "m/s/N"}, {"accelerance", "m/s2/N"}, {0}};
 
+static const char *const direction[] = {"vertical", "lateral", NULL};
+
 static int is_one_of(const char *word, const char *const *of)
 {
     while (*of && strcmp(word, *of))
@@ -43,6 +45,17 @@ static const char *check(const struct frf *r)
     return NULL;
 }
 
+static const char *read_direction(const struct vxf *f, const char *key, int *lateral)
+{
+    char word[12];
+    const char *why = vxf_key(f, key, word, sizeof word);
+
+    if (!why && !is_one_of(word, direction))
+        why = reason("header key %s: \"%s\" is not vertical or lateral", key, word);
+    *lateral = !why && strcmp(word, direction[1]) == 0;
+    return why;
+}
+
 static const char *read_keys(struct frf *r, const struct vxf *f)
 {
     char quantity[16];
@@ -51,7 +64,9 @@ static const char *read_keys(struct frf *r, const struct vxf *f)
     if (why || (why = vxf_key(f, "FORCE", r->force.on, sizeof r->force.on)) ||
         (why = vxf_key(f, "FORCE_AT", r->force.at, sizeof r->force.at)) ||
         (why = vxf_key(f, "MOTION", r->motion.on, sizeof r->motion.on)) ||
-        (why = vxf_key(f, "MOTION_AT", r->motion.at, sizeof r->motion.at)))
+        (why = vxf_key(f, "MOTION_AT", r->motion.at, sizeof r->motion.at)) ||
+        (why = read_direction(f, "FORCE_DIRECTION", &r->force.lateral)) ||
+        (why = read_direction(f, "MOTION_DIRECTION", &r->motion.lateral)))
         return why;
     while (r->quantity < FRF_QUANTITIES && strcmp(quantity, frf_quantity[r->quantity].name))
         r->quantity++;
@@ -94,6 +109,8 @@ const char *frf_put(const struct frf *r, struct vxf_out *o)
     vxf_put_key(o, "FORCE_AT", "%s", r->force.at);
     vxf_put_key(o, "MOTION", "%s", r->motion.on);
     vxf_put_key(o, "MOTION_AT", "%s", r->motion.at);
+    vxf_put_key(o, "FORCE_DIRECTION", "%s", direction[r->force.lateral != 0]);
+    vxf_put_key(o, "MOTION_DIRECTION", "%s", direction[r->motion.lateral != 0]);
     vxf_put(o, "force_x", VXF_F64, "m", 0, NULL, &r->force.x);
     vxf_put(o, "motion_x", VXF_F64, "m", 0, NULL, &r->motion.x);
     vxf_put(o, "frequency", VXF_F64, "Hz", 1, &r->n, r->frequency);

@@ -13,6 +13,7 @@ struct frf_place {
     char on[8];                   /* left, right, both (rails, each loaded by the same force), or sleeper */
     char at[12];                  /* sleeper, midspan or station */
     double x;                     /* m */
+    int lateral;                  /* sideways, else vertical */
 };
 
 struct frf {

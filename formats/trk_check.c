@@ -219,7 +219,8 @@ const char *trk_check(const struct trk *t, int64_t entries)
         return reason("rail.spacing: %g must be positive", t->rail_spacing);
     if (*t->check_rail != TRK_LEFT && *t->check_rail != TRK_RIGHT)
         return reason("array check.rail: %lld is no side", (long long)*t->check_rail);
-    if ((why = check_numbers(t)) || (trk_is_spatial(t) && (why = check_spatial(t))) || (why = check_sleepers(t)) || (why = check_dofs(t)) ||
+    if ((why = check_numbers(t)) || (trk_is_spatial(t) && (why = check_spatial(t))) ||
+        (why = check_sleepers(t)) || (why = check_dofs(t)) ||
         (why = check_columns(t, entries)))
         return why;
     int64_t *next = calloc((size_t)t->dofs, sizeof *next);

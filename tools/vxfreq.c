@@ -23,8 +23,8 @@
 
 static const char usage[] =
     "vxfreq --receptance [--excite left|right|both|sleeper] [--at sleeper|midspan|M] [--x M] [--motion left|right|sleeper] "
-    "[--motion-at sleeper|midspan|M] [--quantity receptance|mobility|accelerance] [--from HZ] [--to HZ] [--step HZ] "
-    "[--peaks [--hermite]] [-o FILE] TRACK\n"
+    "[--motion-at sleeper|midspan|M] [--direction vertical|lateral] [--motion-direction vertical|lateral] "
+    "[--quantity receptance|mobility|accelerance] [--from HZ] [--to HZ] [--step HZ] [--peaks [--hermite]] [-o FILE] TRACK\n"
     "vxfreq --modes N [--near HZ] [--damped] [--text] [-o FILE] TRACK|VEHICLE\n"
     "vxfreq --static --load N [--excite left|right|both] [--at sleeper|midspan|M] [--x M] [-o FILE] TRACK\n"
     "vxfreq --static --load N --axles M,... [--excite left|right|both] [--every M] TRACK\n"
@@ -35,7 +35,7 @@ enum { AXLES_MOST = 64 };
 
 static struct {
     int receptance, statics, stiffness, peaks, hermite, damped, text;
-    int excite, motion, quantity;
+    int excite, motion, quantity, lateral, motion_lateral;
     const char *at, *motion_at;      /* NULL: where the force is */
     int64_t modes;
     double x;                        /* m; NOWHERE is the middle of the track */
@@ -45,9 +45,10 @@ static struct {
     double near;                     /* Hz */
     struct sweep sweep;              /* Hz */
     const char *out;
-} opt = {.excite = PLACE_BOTH, .motion = -1, .at = "sleeper", .x = -1e9, .every = 0.1, .sweep = {10, 1500, 1}};
+} opt = {.excite = PLACE_BOTH, .motion = -1, .motion_lateral = -1, .at = "sleeper", .x = -1e9, .every = 0.1, .sweep = {10, 1500, 1}};
 
 static const char *const motions[] = {"left", "right", "sleeper", NULL};
+static const char *const directions[] = {"vertical", "lateral", NULL};
 static const char *const quantities[] = {"receptance", "mobility", "accelerance", NULL};
 
 static const struct cli_option options[] = {
@@ -59,6 +60,8 @@ static const struct cli_option options[] = {
     {.name = "at", .type = CLI_TEXT, .value = &opt.at},
     {.name = "motion", .type = CLI_CHOICE, .value = &opt.motion, .choice = motions},
     {.name = "motion-at", .type = CLI_TEXT, .value = &opt.motion_at},
+    {.name = "direction", .type = CLI_CHOICE, .value = &opt.lateral, .choice = directions},
+    {.name = "motion-direction", .type = CLI_CHOICE, .value = &opt.motion_lateral, .choice = directions},
     {.name = "quantity", .type = CLI_CHOICE, .value = &opt.quantity, .choice = quantities},
     {.name = "x", .letter = 1, .type = CLI_NUM, .value = &opt.x, .lo = -1e6, .hi = 1e6},
     {.name = "from", .type = CLI_NUM, .value = &opt.sweep.from, .lo = 0, .hi = 1e6},
@@ -102,15 +105,15 @@ static const char *parse(int argc, char **argv)
         cli_misuse("--peaks goes with --receptance, --damped and --text with --modes");
     if (opt.hermite && !(opt.peaks && strcmp(opt.at, "sleeper")))
         cli_misuse("--hermite goes with --peaks, and --at midspan or a station");
-    if (!opt.receptance && (opt.motion >= 0 || opt.motion_at || opt.quantity))
-        cli_misuse("--motion, --motion-at and --quantity go with --receptance");
+    if (!opt.receptance && (opt.motion >= 0 || opt.motion_at || opt.quantity || opt.lateral || opt.motion_lateral >= 0))
+        cli_misuse("--motion, --motion-at, --direction, --motion-direction and --quantity go with --receptance");
     if (opt.statics && opt.excite == PLACE_SLEEPER)
         cli_misuse("--static loads rails: --excite left, right or both");
     return operand[0];
 }
 
 /* The place that an option names on a rail or a sleeper: a station, or the sleeper or bay nearest to --x. */
-static struct place locate(const struct trk *t, int on, const char *option, const char *text)
+static struct place locate(const struct trk *t, int on, const char *option, const char *text, int lateral)
 {
     double x = opt.x > NOWHERE ? opt.x : 0.5 * (t->x[0] + t->x[t->nodes - 1]);
     int at = AT_SLEEPER;
@@ -122,13 +125,15 @@ static struct place locate(const struct trk *t, int on, const char *option, cons
         cli_die("--%s midspan: a moving mass has no span", option);
     if (at == AT_STATION)
         cli_numbers(option, text, t->x[0], t->x[t->nodes - 1], &x, 1);
-    place_find(&p, t, on, at, x);
+    if (lateral && !trk_is_spatial(t))
+        cli_die("a vertical track does not move sideways: lateral wants one of dofs: spatial");
+    (lateral ? place_find_lateral : place_find)(&p, t, on, at, x);
     return p;
 }
 
 static struct place locate_force(const struct trk *t)
 {
-    return locate(t, opt.excite, "at", opt.at);
+    return locate(t, opt.excite, "at", opt.at, opt.lateral);
 }
 
 /* Where the motion is read: where the force acts, but for what is said otherwise. */
@@ -136,7 +141,8 @@ static struct place locate_motion(const struct trk *t)
 {
     static const int on[] = {PLACE_LEFT, PLACE_RIGHT, PLACE_SLEEPER};
 
-    return locate(t, opt.motion < 0 ? opt.excite : on[opt.motion], opt.motion_at ? "motion-at" : "at", opt.motion_at ? opt.motion_at : opt.at);
+    return locate(t, opt.motion < 0 ? opt.excite : on[opt.motion], opt.motion_at ? "motion-at" : "at", opt.motion_at ? opt.motion_at : opt.at,
+                  opt.motion_lateral < 0 ? opt.lateral : opt.motion_lateral);
 }
 
 static void print_peaks(const struct frf *r)

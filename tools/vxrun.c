@@ -116,6 +116,8 @@ static void check_track(const char *path, const struct case_text *c, const struc
 
     if (t->nodes == 1)
         cli_die("%s: a moving-mass track has receptance, modes and statics; a train wants model: fixed", path);
+    if (trk_is_spatial(t))
+        cli_die("%s: a spatial track has receptance, modes and statics; a train wants dofs: vertical", path);
     for (int64_t i = 0; i < t->curves; i++)
         curved |= fabs(t->curvature[i]) > 0;
     if (c->route == CASE_DIVERGING && !curved)

@@ -26,7 +26,7 @@ static const char *reopen(struct vxf_out *o, struct vxf *f)
 static void receptance(void)
 {
     static const double f[3] = {10, 20, 30}, H[6] = {1e-9, -1e-9, 2e-9, -2e-9, 3e-9, -3e-9}, wrong[3] = {10, 10, 30};
-    struct frf r = {FRF_MOBILITY, {"both", "sleeper", -0.3}, {"left", "station", 0.1}, 3, f, H, H, 0, NULL}, back;
+    struct frf r = {FRF_MOBILITY, {"both", "sleeper", -0.3, 1}, {"left", "station", 0.1, 0}, 3, f, H, H, 0, NULL}, back;
     struct vxf_out o;
     struct vxf file;
 

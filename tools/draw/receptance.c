@@ -69,17 +69,17 @@ static const char *rail_words(const char *on)
     return !strcmp(on, "both") ? "both rails" : !strcmp(on, "left") ? "left rail" : !strcmp(on, "right") ? "right rail" : "sleeper";
 }
 
-/* "both rails loaded, above a sleeper", "left rail at 1.20 m loaded, motion of right rail at 1.80 m" */
+/* "both rails loaded, above a sleeper", "left rail loaded at 1.20 m, motion of right rail at 1.80 m"; what is sideways says so. */
 static const char *label_of(struct chart *c, const struct frf *r)
 {
     const struct frf_place *f = &r->force, *m = &r->motion;
-    const char *rails = rail_words(f->on);
+    const char *rails = rail_words(f->on), *force = f->lateral ? " sideways" : "", *motion = m->lateral ? " sideways" : "";
 
-    if (f->x == m->x && (!strcmp(f->on, m->on) || !strcmp(f->on, "both")) && strcmp(f->at, "station")) {
+    if (f->x == m->x && f->lateral == m->lateral && (!strcmp(f->on, m->on) || !strcmp(f->on, "both")) && strcmp(f->at, "station")) {
         const char *where = !strcmp(f->at, "midspan") ? ", between sleepers" : strcmp(f->on, "sleeper") ? ", above a sleeper" : "";
-        return chart_words(c, "%s loaded%s", rails, where);
+        return chart_words(c, "%s loaded%s%s", rails, force, where);
     }
-    return chart_words(c, "%s loaded at %.2f m, motion of %s at %.2f m", rails, f->x, rail_words(m->on), m->x);
+    return chart_words(c, "%s loaded%s at %.2f m, motion%s of %s at %.2f m", rails, force, f->x, motion, rail_words(m->on), m->x);
 }
 
 static const struct chart_series *add_curve(struct chart *c, const struct frf *r, const double *h, const char *label, int hermite)

@@ -7,6 +7,7 @@
 #include <math.h>
 
 #include "formats/reason.h"
+#include "tools/track/assemble_spatial.h"
 #include "tools/track/rails.h"
 
 static const double GUIDE = 1e6;       /* Hz, natural frequency of what is held, beyond all that a track is asked for */
@@ -161,6 +162,8 @@ static void add_masses(const struct trk *t, const struct matrix *M)
 
 const char *assemble_track(struct trk *t)
 {
+    if (trk_is_spatial(t))
+        return assemble_spatial(t);
     const int64_t entries = count_entries(t);
     int64_t *Ap = trk_room(t, t->dofs + 1, sizeof *Ap), *Ai = trk_room(t, entries, sizeof *Ai);
     double *K = trk_room(t, entries, sizeof *K), *C = trk_room(t, entries, sizeof *C), *M = trk_room(t, entries, sizeof *M);

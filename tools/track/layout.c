@@ -8,6 +8,7 @@
 #include "tools/track/cant.h"
 #include "tools/track/pads.h"
 #include "tools/track/rails.h"
+#include "tools/track/spatial.h"
 
 static const double WHOLE = 1e-6;      /* length / spacing may differ this much from a whole number */
 
@@ -216,8 +217,6 @@ const char *layout_track(struct trk *t, const struct trk_text *in)
     memset(t, 0, sizeof *t);
     strncpy(t->name, in->name, sizeof t->name - 1);
     t->rail_spacing = in->rail_spacing;
-    if (in->dofs == TRK_TEXT_SPATIAL)
-        return "dofs: spatial: the matrices of a spatial track are not built yet";
     t->rail_dofs = in->dofs == TRK_TEXT_SPATIAL ? TRK_SPATIAL_RAIL : TRK_VERTICAL_RAIL;
     t->sleeper_dofs = in->dofs == TRK_TEXT_SPATIAL ? TRK_SPATIAL_SLEEPER : TRK_VERTICAL_SLEEPER;
     t->sleepers = (int64_t)floor(bays + 0.5);
@@ -229,6 +228,8 @@ const char *layout_track(struct trk *t, const struct trk_text *in)
     if ((why = rails_lay(t, in)) || (why = lay_sleepers(t, in)) || (why = check_centres(t, in)) || (why = lay_ballast(t, in)) || (why = pads_lay(t, in)) ||
         (why = lay_lateral(t, in)) || (why = lay_check_rail(t, in)) || (why = lay_curve(t, in)) ||
         (why = cant_lay(t, in)))
+        return why;
+    if (trk_is_spatial(t) && (why = spatial_lay(t, in)))
         return why;
     return number_dofs(t);
 }

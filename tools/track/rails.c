@@ -64,10 +64,9 @@ static int by_station(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Both rails over the knots of both. */
-static const char *lay_bending(struct trk *t, const struct trk_text *in)
+const char *rails_lay_bending(struct trk *t, const struct trk_text *in, const struct yaml_table *const of[TRK_RAILS], int64_t *knots,
+                              const double **at, const double **EI)
 {
-    const struct yaml_table *of[TRK_RAILS] = {bending_of(in, TRK_LEFT), bending_of(in, TRK_RIGHT)};
     const int64_t most = of[0]->n + of[1]->n;
     double *x = numbers(t, most), *bending = numbers(t, TRK_RAILS * most);
     int64_t n = 0;
@@ -78,14 +77,14 @@ static const char *lay_bending(struct trk *t, const struct trk_text *in)
         for (int64_t k = 0; k < of[rail]->n; k++)
             x[n++] = of[rail]->n > 1 ? station_of(in, of[rail], of[rail]->at[k]) : in->from;
     qsort(x, (size_t)n, sizeof *x, by_station);
-    t->knots = 1;
+    *knots = 1;
     for (int64_t k = 1; k < n; k++)
-        if (x[k] > x[t->knots - 1])
-            x[t->knots++] = x[k];
-    for (int64_t k = 0; k < TRK_RAILS * t->knots; k++)
-        bending[k] = at_station(in, bending_of(in, (int)(k / t->knots)), x[k % t->knots]);
-    t->bending_x = x;
-    t->bending = bending;
+        if (x[k] > x[*knots - 1])
+            x[(*knots)++] = x[k];
+    for (int64_t k = 0; k < TRK_RAILS * *knots; k++)
+        bending[k] = at_station(in, of[k / *knots], x[k % *knots]);
+    *at = x;
+    *EI = bending;
     return NULL;
 }
 
@@ -131,6 +130,7 @@ const char *rails_lay(struct trk *t, const struct trk_text *in)
     const double h = in->sleeper.spacing / (double)in->rail.elements_per_bay;
     double *x = numbers(t, n), *mass = numbers(t, TRK_RAILS * n), *inertia = numbers(t, TRK_RAILS * n);
     double *density = numbers(t, TRK_RAILS * (n - 1)), *rotary = numbers(t, TRK_RAILS * (n - 1)), *shear = numbers(t, TRK_RAILS * (n - 1));
+    const struct yaml_table *const bending[TRK_RAILS] = {bending_of(in, TRK_LEFT), bending_of(in, TRK_RIGHT)};
 
     if (!x || !mass || !inertia || !density || !rotary || !shear)
         return REASON_MEMORY;
@@ -147,17 +147,17 @@ const char *rails_lay(struct trk *t, const struct trk_text *in)
     t->rail_density = density;
     t->rail_rotary = rotary;
     t->rail_shear = shear;
-    return lay_bending(t, in);
+    return rails_lay_bending(t, in, bending, &t->knots, &t->bending_x, &t->bending);
 }
 
-/* The first knot beyond x, or t->knots. */
-static int64_t knot_beyond(const struct trk *t, double x)
+/* The first of the knots x beyond this station, or how many there are. */
+static int64_t knot_beyond(int64_t knots, const double *x, double station)
 {
-    int64_t low = 0, high = t->knots;
+    int64_t low = 0, high = knots;
 
     while (low < high) {
         const int64_t middle = (low + high) / 2;
-        if (t->bending_x[middle] > x)
+        if (x[middle] > station)
             high = middle;
         else
             low = middle + 1;
@@ -166,16 +166,36 @@ static int64_t knot_beyond(const struct trk *t, double x)
 }
 
 /* The knots from the last one not beyond the near end to the first one not before the far end, and whether EI is one over them. */
-struct beam rails_beam(const struct trk *t, int rail, int64_t i)
+static struct beam beam_behind(const struct trk *t, int64_t i, int64_t knots, const double *x, const double *EI)
 {
-    const int64_t k = rail * (t->nodes - 1) + i, beyond = knot_beyond(t, t->x[i]), first = beyond ? beyond - 1 : 0;
-    const double *x = t->bending_x, *EI = t->bending + rail * t->knots;
+    const int64_t beyond = knot_beyond(knots, x, t->x[i]), first = beyond ? beyond - 1 : 0;
     int64_t last = first;
     int same = 1;
 
-    while (last < t->knots - 1 && x[last] < t->x[i + 1])
+    while (last < knots - 1 && x[last] < t->x[i + 1])
         same &= EI[++last] == EI[first];
-    return (struct beam){.length = t->x[i + 1] - t->x[i], .from = t->x[i], .bending = same ? EI[first] : 0, .shear = t->rail_shear[k],
-                         .mass = t->rail_density[k], .rotary = t->rail_rotary[k], .knots = last - first + 1, .x = x + first,
-                         .EI = EI + first};
+    return (struct beam){.length = t->x[i + 1] - t->x[i], .from = t->x[i], .bending = same ? EI[first] : 0, .knots = last - first + 1,
+                         .x = x + first, .EI = EI + first};
+}
+
+struct beam rails_beam(const struct trk *t, int rail, int64_t i)
+{
+    const int64_t k = rail * (t->nodes - 1) + i;
+    struct beam b = beam_behind(t, i, t->knots, t->bending_x, t->bending + rail * t->knots);
+
+    b.shear = t->rail_shear[k];
+    b.mass = t->rail_density[k];
+    b.rotary = t->rail_rotary[k];
+    return b;
+}
+
+struct beam rails_lateral_beam(const struct trk *t, int rail, int64_t i)
+{
+    const int64_t k = rail * (t->nodes - 1) + i;
+    struct beam b = beam_behind(t, i, t->lateral_knots, t->lateral_bending_x, t->lateral_bending + rail * t->lateral_knots);
+
+    b.shear = t->rail_lateral_shear[k];
+    b.mass = t->rail_density[k];
+    b.rotary = t->rail_lateral_rotary[k];
+    return b;
 }
