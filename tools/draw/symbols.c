@@ -30,12 +30,12 @@ static void add_spring(struct chart *c, struct chart_panel *p, const double at[2
 static void add_damper(struct chart *c, struct chart_panel *p, const double at[2], int way, double size)
 {
     static const double cup[] = {0.3, 0.8, -0.2, 0.8, -0.2, 0.5, 0.3, 0.5}, end[] = {-0.5, 0.65, -0.2, 0.65};
-    static const double piston[] = {0.1, 0.77, 0.1, 0.53}, rod[] = {0.1, 0.65, 0.5, 0.65};
+    static const double piston[] = {0.1, 0.77, 0.1, 0.53}, shaft[] = {0.1, 0.65, 0.5, 0.65};
 
     stroke(c, p, at, way, size, 4, cup, damper);
     stroke(c, p, at, way, size, 2, end, damper);
     stroke(c, p, at, way, size, 2, piston, damper);
-    stroke(c, p, at, way, size, 2, rod, damper);
+    stroke(c, p, at, way, size, 2, shaft, damper);
 }
 
 /* Bars at the clearance where that is to be seen, else at least a fifth of the size from the middle. */
