@@ -327,7 +327,7 @@ static void shares(void)
     t.first[2] = 1;
     t.first[3] = 2;
     t.ctab.rows = 2;
-    memset(t.link, 0, sizeof t.link);
+    t.branch[0][0] = 0;
     in.y = 4e-3;
     struct wheel_output o = force(&law, &in, &memory);
     near(o.Q / whole, 0.2, 1e-12, "a contact that fades out carries its share");
