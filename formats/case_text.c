@@ -7,6 +7,9 @@ static const char *const directions[] = {"facing", NULL};
 static const char *const schemes[] = {"explicit", "implicit", "auto", NULL};
 static const char *const shapes[] = {"fresh", "worn", NULL};
 static const char *const spectra[] = {"none", "erri-low", "erri-high", NULL};
+static const char *const rails[] = {"left", "right", "both", NULL};
+static const char *const kinds[] = {"impulse", "sweep", "noise", NULL};
+static const char *const places[] = {"left", "right", "sleeper", NULL};
 static const char *const laws[] = {"hertz", "linear", NULL};
 static const char *const sides[] = {"both", "left", "right", NULL};
 
@@ -109,6 +112,31 @@ static const struct yaml_schema friction_schema = {
         {0},
     }};
 
+#define IN_FORCE(member) (AT(force.member) - AT(force))
+static const struct yaml_schema force_schema = {
+    "force", sizeof(struct case_force), (const struct yaml_field[]){
+        {"rail", YAML_CHOICE, IN_FORCE(rail), 0, 0, "", "left", "which rail it acts on; both: the whole force on each", NULL, rails},
+        {"at", YAML_NUM, IN_FORCE(at), -YAML_NO_LIMIT, YAML_NO_LIMIT, "m", NULL, "station where it acts", NULL, NULL},
+        {"kind", YAML_CHOICE, IN_FORCE(kind), 0, 0, "", "impulse", "blows of a hammer, a sine of rising frequency, or noise", NULL, kinds},
+        {"amplitude", YAML_NUM, IN_FORCE(amplitude), YAML_POSITIVE, 1e9, "N", NULL, "largest force, of noise its root mean square", NULL, NULL},
+        {"width", YAML_NUM, IN_FORCE(width), YAML_POSITIVE, 1, "s", "0.5e-3", "of an impulse, amplitude/2 (1 - cos)", NULL, NULL},
+        {"blows", YAML_INT, IN_FORCE(blows), 1, 1e6, "1", "1", "impulses, evenly over the duration", NULL, NULL},
+        {"from", YAML_NUM, IN_FORCE(from), 0, 1e6, "Hz", "20", "sweep and noise: lowest frequency", NULL, NULL},
+        {"to", YAML_NUM, IN_FORCE(to), 0, 1e6, "Hz", "2000", "and highest", NULL, NULL},
+        {"duration", YAML_NUM, IN_FORCE(duration), YAML_POSITIVE, 1e6, "s", NULL, "of the whole run", NULL, NULL},
+        {"rest", YAML_NUM, IN_FORCE(rest), 0, 1e6, "s", "0", "sweep and noise: without force at its end", NULL, NULL},
+        {"seed", YAML_INT, IN_FORCE(seed), 0, 9e15, "1", "1", "noise: another seed, another noise", NULL, NULL},
+        {0},
+    }};
+
+static const struct yaml_schema probe_schema = {
+    "probe", sizeof(struct case_probe), (const struct yaml_field[]){
+        {"on", YAML_CHOICE, offsetof(struct case_probe, on), 0, 0, "", "left", "rail or sleeper whose deflection is recorded", NULL, places},
+        {"at", YAML_NUM, offsetof(struct case_probe, at), -YAML_NO_LIMIT, YAML_NO_LIMIT, "m", NULL,
+         "station there; of a sleeper, the nearest one", NULL, NULL},
+        {0},
+    }};
+
 #define FILE_FIELD(key, text) {#key, YAML_TEXT, AT(key), 0, 0, "", YAML_ABSENT, text, NULL, NULL}
 const struct yaml_schema case_text_schema = {
     "case", sizeof(struct case_text), (const struct yaml_field[]){
@@ -117,7 +145,7 @@ const struct yaml_schema case_text_schema = {
         FILE_FIELD(vehicle, ".veh file"),
         FILE_FIELD(contact_left, ".ctab file of the left side"),
         FILE_FIELD(contact_right, ".ctab file of the right side"),
-        {"speed_kmh", YAML_NUM, AT(speed), 1, 500, "km/h", NULL, "speed, the one key that is not SI", NULL, NULL},
+        {"speed_kmh", YAML_NUM, AT(speed), 1, 500, "km/h", YAML_ABSENT, "speed, the one key that is not SI; a vehicle needs it", NULL, NULL},
         {"route", YAML_CHOICE, AT(route), 0, 0, "", "through", "which route track and sections describe", NULL, routes},
         {"direction", YAML_CHOICE, AT(direction), 0, 0, "", "facing", "facing: with increasing station", NULL, directions},
         {"friction", YAML_NUM, AT(friction), 0.01, 1, "1", "0.30", "coefficient of friction", NULL, NULL},
@@ -136,5 +164,7 @@ const struct yaml_schema case_text_schema = {
         {"joint", YAML_LIST, AT(joint), 0, 0, "", "[]", "dipped rail joints", &joint_schema, NULL},
         {"wheel_flat", YAML_LIST, AT(flat), 0, 0, "", "[]", "flats of wheels", &flat_schema, NULL},
         {"irregularity", YAML_MAP, AT(irregularity), 0, 0, "", "{}", "of the track's geometry", &irregularity_schema, NULL},
+        {"force", YAML_MAP, AT(force), 0, 0, "", YAML_ABSENT, "prescribed force on the rails, instead of a vehicle", &force_schema, NULL},
+        {"probe", YAML_LIST, AT(probe), 0, 0, "", "[]", "what a prescribed force moves; none: the place of the force", &probe_schema, NULL},
         {0},
     }};

@@ -9,6 +9,8 @@ enum case_route { CASE_THROUGH, CASE_DIVERGING };
 enum case_scheme { CASE_EXPLICIT, CASE_IMPLICIT, CASE_AUTO };
 enum case_law { CASE_HERTZ, CASE_LINEAR };
 enum case_side { CASE_BOTH, CASE_LEFT, CASE_RIGHT };
+enum case_place { CASE_ON_LEFT, CASE_ON_RIGHT, CASE_ON_SLEEPER };
+enum case_kind { CASE_IMPULSE, CASE_SWEEP, CASE_NOISE };
 
 enum case_shape { CASE_FRESH, CASE_WORN };
 enum case_spectrum { CASE_NO_SPECTRUM, CASE_ERRI_LOW, CASE_ERRI_HIGH };
@@ -39,11 +41,27 @@ struct case_friction {
     double friction;                         /* 1 */
 };
 
+struct case_force {                          /* amplitude 0: none */
+    int rail;                                /* RUN_ON_LEFT, RUN_ON_RIGHT, RUN_ON_BOTH */
+    int kind;                                /* enum case_kind */
+    double at;                               /* m */
+    double amplitude;                        /* N */
+    double width;                            /* s */
+    double from, to;                         /* Hz */
+    double duration, rest;                   /* s */
+    int64_t blows, seed;
+};
+
+struct case_probe {
+    int on;                                  /* enum case_place */
+    double at;                               /* m */
+};
+
 struct case_text {
     char *name;
     char *track, *vehicle;                   /* files, relative to the case; NULL where not named */
     char *contact_left, *contact_right;
-    double speed;                            /* km/h: the one input that is not SI */
+    double speed;                            /* km/h: the one input that is not SI; 0 where not given */
     int route, direction;                    /* enum case_route; facing is the only direction */
     double friction;                         /* 1 */
     struct { double limit, decay; } falling; /* 1, s/m: friction times (1 - limit) exp(-decay w) + limit, w the slip's velocity */
@@ -67,6 +85,8 @@ struct case_text {
         double shortest, longest;            /* m, wavelengths */
         double scale, fade;                  /* 1, m */
     } irregularity;
+    struct case_force force;                 /* instead of a vehicle */
+    struct yaml_list probe;                  /* of struct case_probe */
 };
 
 extern const struct yaml_schema case_text_schema;

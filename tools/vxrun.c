@@ -69,6 +69,7 @@ static const char *parse(int argc, char **argv)
 struct inputs {
     struct case_text text;
     uint64_t hash;               /* of the case */
+    int files;                   /* 1 with a prescribed force, else 4 */
     struct vxf file[4];
     struct trk track;
     struct veh vehicle;
@@ -135,30 +136,46 @@ static void read_irregularity(struct inputs *in, const char *path)
     free(name);
 }
 
-static void read_inputs(struct inputs *in, const char *path)
+static void read_train(struct inputs *in, const char *path)
 {
     const struct case_text *c = &in->text;
-    const char *why;
     char *name[4];
 
-    if ((why = yaml_read(path, &case_text_schema, opt.set.item, opt.set.n, &in->text, &in->hash)))
-        cli_die("%s", why); /* begins with its place */
-    if (strlen(c->name) >= sizeof ((struct run *)NULL)->name)
-        cli_die("%s: name: longer than %zu letters", path, sizeof ((struct run *)NULL)->name - 1);
-    name[0] = open_input(&in->file[0], opt.track, "--track", path, c->track, "trk");
+    if (!(c->speed > 0))
+        cli_die("%s: speed_kmh: missing", path);
     name[1] = open_input(&in->file[1], opt.vehicle, "--vehicle", path, c->vehicle, "veh");
     name[2] = open_input(&in->file[2], opt.left, "--contact-left", path, c->contact_left, "ctab");
     name[3] = open_input(&in->file[3], opt.right, "--contact-right", path, c->contact_right, "ctab");
-    cli_check(name[0], trk_read(&in->track, &in->file[0]));
     cli_check(name[1], veh_read(&in->vehicle, &in->file[1]));
     cli_check(name[2], ctab_read(&in->table[0], &in->file[2]));
     cli_check(name[3], ctab_read(&in->table[1], &in->file[3]));
     check_side(name[2], &in->table[0], 'l');
     check_side(name[3], &in->table[1], 'r');
-    check_track(name[0], c, &in->track);
     read_irregularity(in, path);
-    for (int i = 0; i < 4; i++)
+    for (int i = 1; i < 4; i++)
         free(name[i]);
+}
+
+/* A prescribed force stands for vehicle and contact. */
+static void read_inputs(struct inputs *in, const char *path)
+{
+    const struct case_text *c = &in->text;
+    const char *why;
+    char *name;
+
+    if ((why = yaml_read(path, &case_text_schema, opt.set.item, opt.set.n, &in->text, &in->hash)))
+        cli_die("%s", why); /* begins with its place */
+    if (strlen(c->name) >= sizeof ((struct run *)NULL)->name)
+        cli_die("%s: name: longer than %zu letters", path, sizeof ((struct run *)NULL)->name - 1);
+    in->files = c->force.amplitude > 0 ? 1 : 4;
+    if (in->files == 1 && (c->vehicle || c->contact_left || c->contact_right || opt.vehicle || opt.left || opt.right))
+        cli_die("%s: force: a prescribed force stands instead of vehicle and contact tables", path);
+    name = open_input(&in->file[0], opt.track, "--track", path, c->track, "trk");
+    cli_check(name, trk_read(&in->track, &in->file[0]));
+    check_track(name, c, &in->track);
+    free(name);
+    if (in->files > 1)
+        read_train(in, path);
 }
 
 static double seconds(void)
@@ -209,7 +226,7 @@ static void describe(const struct inputs *in, struct record *r, struct vxf_out *
     static const char *const route[] = {"through", "diverging"};
 
     vxf_out_begin(head, "run");
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < in->files; i++)
         vxf_put_input(head, &in->file[i]);
     vxf_put_key(head, "INPUT", "case %016llx", (unsigned long long)in->hash);
     if (in->text.irregularity.file)
@@ -238,6 +255,7 @@ int main(int argc, char **argv)
     static struct inputs in;
     static struct passage p;
     static struct record r;
+    static struct exciter e;
     struct passage_options o;
     struct vxf_out head;
     struct cli_out out;
@@ -251,6 +269,10 @@ int main(int argc, char **argv)
     }
     read_inputs(&in, path);
     cli_check("case", options_read(&o, &in.text, in.text.speed / 3.6, in.text.irregularity.file ? &in.measured : NULL));
+    if (in.text.force.amplitude > 0) {
+        cli_check("case", options_exciter(&e, &in.text, &in.track));
+        o.exciter = &e;
+    }
     cli_check("case", options_sampling(&in.text, &every));
     cli_check("case", passage_new(&p, &o, &in.track, &in.vehicle, &in.table[0], &in.table[1]));
     cli_check("start", passage_start(&p, &residual));
@@ -265,7 +287,8 @@ int main(int argc, char **argv)
     vxf_out_free(&head);
     record_free(&r);
     passage_free(&p);
-    for (int i = 0; i < 4; i++)
+    exciter_free(&e);
+    for (int i = 0; i < in.files; i++)
         vxf_close(&in.file[i]);
     irregularity_free(&in.measured);
     yaml_release(&case_text_schema, &in.text);

@@ -182,7 +182,7 @@ static void groups(void)
 
     set_up(&f, wheels, 10);
     for (int c = 0; c < RUN_CHANNELS; c++) {
-        int want = run_channels[c].group == RUN_GROUPS || run_channels[c].group == RUN_WHEELS;
+        int want = (run_channels[c].group == RUN_GROUPS && c != RUN_FORCE && c != RUN_PROBE) || run_channels[c].group == RUN_WHEELS;
         kept += f.record.buffer[c] != NULL;
         wrong += (f.record.buffer[c] != NULL) != want;
     }

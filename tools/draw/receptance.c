@@ -102,6 +102,18 @@ static const struct chart_series *add_curve(struct chart *c, const struct frf *r
     return s;
 }
 
+/* Below the phase, in the panel that the first of them opens. */
+static void add_coherence(struct chart *c, const struct frf *r, unsigned colour)
+{
+    if (c->panels < 3) {
+        struct chart_panel *p = chart_add_panel(c, "coherence", 1);
+        p->y.lo = 0;
+        p->y.hi = 1.05;
+        p->share = 0.6;
+    }
+    chart_add_series(c, &c->panel[2], NULL, r->n, r->frequency, r->coherence)->colour = colour;
+}
+
 const char *receptance_add(struct chart *c, const struct frf *r, const char *label)
 {
     int64_t peak[PEAKS];
@@ -112,6 +124,8 @@ const char *receptance_add(struct chart *c, const struct frf *r, const char *lab
         double at = r->frequency[peak[k]];
         chart_add_note(c, &c->panel[0], at, s->y[peak[k]], chart_words(c, "%.0f Hz", at))->colour = s->colour;
     }
+    if (s && r->coherences == r->n && r->n > 0)
+        add_coherence(c, r, s->colour);
     if (r->hermites == r->n && r->n > 0)
         add_curve(c, r, r->hermite, "by Hermite interpolation", 1);
     return c->why;

@@ -159,7 +159,11 @@ const char *couple_wheels(struct passage *p)
     }
     if (yields)
         foresee(p);
+    if (yields && p->o.exciter)
+        exciter_load(p->o.exciter, &p->rails, p->n);
     way_move(&p->rails);
+    if (!yields && p->o.exciter)
+        exciter_load(p->o.exciter, &p->rails, p->n);
     for (int round = 0; round < ROUNDS_MOST && off > RAIL_TOLERANCE; round++) {
         const char *why = round_of_forces(p);
         if (why)

@@ -27,6 +27,8 @@ static struct excitation_options excitation_of(const struct case_text *c, const 
         .scale = c->irregularity.scale, .fade = c->irregularity.fade, .from = c->start, .to = c->end,
     };
 
+    if (c->force.amplitude > 0) /* no wheel */
+        return (struct excitation_options){0};
     if (c->irregularity.spectrum != CASE_NO_SPECTRUM)
         e.waves = (struct spectrum_waves){
             c->irregularity.spectrum == CASE_ERRI_LOW ? SPECTRUM_LOW : SPECTRUM_HIGH,
@@ -50,7 +52,7 @@ const char *options_read(struct passage_options *o, const struct case_text *c, d
 
     if (why)
         return why;
-    if (c->end <= c->start)
+    if (c->end <= c->start && !(c->force.amplitude > 0))
         return reason("end, %g m, must lie beyond start, %g m", c->end, c->start);
     *o = (struct passage_options){
         .speed = speed,
@@ -62,6 +64,33 @@ const char *options_read(struct passage_options *o, const struct case_text *c, d
         .excitation = excitation_of(c, measured),
     };
     return NULL;
+}
+
+const char *options_exciter(struct exciter *e, const struct case_text *c, const struct trk *t)
+{
+    static const int kind[] = {[CASE_IMPULSE] = DRIVE_IMPULSE, [CASE_SWEEP] = DRIVE_SWEEP, [CASE_NOISE] = DRIVE_NOISE};
+    static const int on[] = {[CASE_ON_LEFT] = RUN_ON_LEFT, [CASE_ON_RIGHT] = RUN_ON_RIGHT, [CASE_ON_SLEEPER] = RUN_ON_SLEEPER};
+    const struct case_force *f = &c->force;
+    const struct case_probe *probe = c->probe.item;
+    const struct drive x = {kind[f->kind], f->amplitude, f->from, f->to, f->width, f->blows, f->duration, f->rest, (uint64_t)f->seed};
+    const char *why;
+
+    if (f->to <= f->from)
+        return reason("force.to, %g Hz, must lie beyond force.from, %g Hz", f->to, f->from);
+    if (f->rest >= f->duration)
+        return reason("force.rest, %g s, leaves nothing of force.duration, %g s", f->rest, f->duration);
+    if ((why = exciter_new(e, &x, c->step, c->probe.n ? c->probe.n : 1)))
+        return why;
+    e->on = f->rail;
+    e->x = e->probe_x[0] = f->at;
+    e->probe_on[0] = f->rail == RUN_ON_RIGHT ? RUN_ON_RIGHT : RUN_ON_LEFT;
+    for (int64_t k = 0; k < c->probe.n; k++) {
+        e->probe_on[k] = on[probe[k].on];
+        e->probe_x[k] = probe[k].at;
+    }
+    if ((why = exciter_place(e, t)))
+        exciter_free(e);
+    return why;
 }
 
 const char *options_sampling(const struct case_text *c, int64_t *every)

@@ -9,6 +9,9 @@
  * measured must outlive o. */
 const char *options_read(struct passage_options *o, const struct case_text *c, double speed, const struct irregularity *measured);
 
+/* A prescribed force on track t and what it moves, where the case has one (force.amplitude is not 0). */
+const char *options_exciter(struct exciter *e, const struct case_text *c, const struct trk *t);
+
 /* Whole steps between samples into *every. */
 const char *options_sampling(const struct case_text *c, int64_t *every);
 

@@ -17,6 +17,8 @@ static const char *check_ends(const struct passage_options *o, const struct trk 
 {
     double rear = 0, first = t->x[0] + END_MARGIN, last = t->x[t->nodes - 1] - END_MARGIN;
 
+    if (!v->wheelsets)
+        return NULL;
     for (int64_t i = 0; i < v->wheelsets; i++)
         rear = fmin(rear, v->cg[3 * v->wheelset[i]]);
     if (o->start + rear < first)
@@ -28,6 +30,8 @@ static const char *check_ends(const struct passage_options *o, const struct trk 
 
 static const char *check_tables(const struct veh *v, const struct ctab *left, const struct ctab *right)
 {
+    if (!v->wheelsets)
+        return NULL;
     if (left->side != 'l' || right->side != 'r')
         return "the contact tables are not one of a left and one of a right side";
     for (int64_t i = 0; i < v->wheelsets; i++)
@@ -98,7 +102,7 @@ const char *passage_new(struct passage *p, const struct passage_options *o, cons
     const char *why;
 
     *p = (struct passage){.o = *o, .track = track, .vehicle = vehicle, .table = {left, right}, .station = o->start};
-    p->steps = (int64_t)ceil((o->end - o->start) / (o->speed * o->step) - 1e-9);
+    p->steps = o->exciter ? o->exciter->steps : (int64_t)ceil((o->end - o->start) / (o->speed * o->step) - 1e-9);
     p->memory = calloc(wheels, sizeof *p->memory);
     p->couple = calloc(wheels, sizeof *p->couple);
     p->wheel = calloc(wheels, sizeof *p->wheel);
@@ -201,13 +205,15 @@ const char *passage_forces(struct passage *p)
 
 /* ---- the step ---- */
 
-/* A motion that grows without bound shows in the train, which stands on everything else. */
+/* A motion that grows without bound shows in the train, which stands on everything else, or without one in the rails. */
 static const char *check_motion(const struct passage *p)
 {
     double sum = 0;
 
     for (int64_t k = 0; k < p->train.dofs; k++)
         sum += p->train.a[k];
+    for (int64_t k = 0; k < p->track->nodes && !p->train.dofs; k++)
+        sum += p->rails.wa[TRK_LEFT][k] + p->rails.wa[TRK_RIGHT][k];
     return isfinite(sum) ? NULL : reason("the motion is not finite at station %.3f m", p->station);
 }
 

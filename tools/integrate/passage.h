@@ -11,6 +11,7 @@
 #include "tools/integrate/alignment.h"
 #include "tools/integrate/couple.h"
 #include "tools/integrate/excitation.h"
+#include "tools/integrate/exciter.h"
 #include "tools/integrate/train.h"
 #include "tools/integrate/way.h"
 #include "tools/integrate/wheel.h"
@@ -22,6 +23,7 @@ struct passage_options {
     enum way_scheme scheme;         /* of the track */
     struct wheel_law law;
     struct excitation_options excitation;
+    const struct exciter *exciter;  /* NULL, or a prescribed force on the track: it sets the number of steps */
 };
 
 struct passage {
@@ -45,7 +47,8 @@ struct passage {
     double time, station;           /* s, m of the front wheelset */
 };
 
-/* Checks that train, track, tables and options fit together, and the step against its limit.  All inputs must outlive p. */
+/* Checks that train, track, tables and options fit together, and the step against its limit.  All inputs must outlive p.  A vehicle without
+ * bodies leaves the track to the exciter; it has no weight then, and needs no tables. */
 const char *passage_new(struct passage *p, const struct passage_options *o, const struct trk *track, const struct veh *vehicle,
                         const struct ctab *left, const struct ctab *right);
 void passage_free(struct passage *p);

@@ -27,6 +27,17 @@ static const char *describe(struct record *r, const struct passage *p)
         .sleeper_number = t->sleeper_number, .node_x = t->x, .zone_name = t->zone_name, .pad_zone = t->pad_zone,
         .curve_x = t->curve_x, .curvature = t->curvature,
     };
+    if (p->o.exciter) {
+        const struct exciter *e = p->o.exciter;
+        r->force_on = e->on;
+        r->run.forces = 1;
+        r->run.force_x = &e->x;
+        r->run.force_on = &r->force_on;
+        r->run.probes = e->probes;
+        r->run.probe_x = e->probe_x;
+        r->run.probe_on = e->probe_on;
+        r->run.probe_held = e->held;
+    }
     return NULL;
 }
 
@@ -56,9 +67,9 @@ const char *record_new(struct record *r, const struct passage *p, const int *gro
     const char *why;
 
     *r = (struct record){.every = every};
-    for (int c = 0; c < RUN_CHANNELS; c++)
-        r->recorded[c] = run_channels[c].group == RUN_GROUPS || groups[run_channels[c].group];
     why = describe(r, p);
+    for (int c = 0; c < RUN_CHANNELS && !why; c++)
+        r->recorded[c] = (run_channels[c].group == RUN_GROUPS || groups[run_channels[c].group]) && run_count(&r->run, &run_channels[c]) > 0;
     if (!why)
         why = allocate(r);
     if (why)
@@ -255,6 +266,15 @@ static void sample_track(struct record *r, const struct passage *p)
     put_floats(r, RUN_SLEEPER_A, 0, n, w->za);
 }
 
+static void sample_exciter(const struct record *r, const struct passage *p)
+{
+    const struct exciter *e = p->o.exciter;
+
+    put(r, RUN_FORCE, 0, e->F[p->n]);
+    for (int64_t k = 0; k < e->probes; k++)
+        put(r, RUN_PROBE, k, exciter_deflection(e, &p->rails, p->n, k));
+}
+
 int record_step(struct record *r, const struct passage *p)
 {
     wheel_extremes(r, p);
@@ -267,5 +287,7 @@ int record_step(struct record *r, const struct passage *p)
     sample_wheels(r, p);
     sample_bodies(r, p);
     sample_track(r, p);
+    if (p->o.exciter)
+        sample_exciter(r, p);
     return ++r->held == RECORD_BLOCK;
 }

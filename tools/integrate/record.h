@@ -16,6 +16,7 @@ struct record {
     void *buffer[RUN_CHANNELS];          /* [RECORD_BLOCK][size] double or float by run_channels; NULL where not kept */
     const void *series[RUN_CHANNELS];    /* the buffers kept, in the order of run_put: for vxf_stream_block */
     double *extreme[RUN_EXTREMES];       /* as run.h */
+    int64_t force_on;                    /* of the exciter */
     double *moment;                      /* N m [nodes] */
     double *wheelset_x;                  /* m [wheelsets] */
 };

@@ -278,6 +278,8 @@ const char *passage_start(struct passage *p, double *residual)
     const char *why;
 
     train_locate(&p->train, &p->alignment, p->station);
+    if (!v->bodies)
+        return begin(p, residual);
     if ((why = check_straight(p)))
         return why;
     r.f = calloc((size_t)p->track->dofs, sizeof *r.f);

@@ -25,7 +25,7 @@ static double middle(const struct veh *v)
         mass += v->mass[i];
         moment += v->mass[i] * v->cg[3 * i];
     }
-    return moment / mass;
+    return mass > 0 ? moment / mass : 0;
 }
 
 const char *train_new(struct train *t, const struct veh *v, double speed)
