@@ -37,6 +37,27 @@ is 0 "a single wheelset" "$bin/vxvehicle" --check "$data/wheelset.yaml"
 is 0 "the example of the man page" "$bin/vxvehicle" --check --set body.1.mass=40000 "$coach"
 says "has its 52 482 kg" "mass       52482 kg"
 
+is 0 "a check" "$bin/vxvehicle" --check "$coach"
+says "tells what is held" "support    every body is held"
+says "how far a spring is bent" "primary1-r       carries 45653.3 N  bent by 37.421 mm"
+says "how a clearance is used" "bumpstop1        along y  clearance 25 mm  used at rest 0 mm"
+says "and that nothing is doubtful" "doubts     0"
+# doubts NAME KEY=VALUE TEXT: --check of the coach with this value says so.
+doubts() {
+    is 0 "doubtful: $1" "$bin/vxvehicle" --check --set "$2" "$coach"
+    says "and says so" "doubt      $3"
+}
+doubts "a mass in t" body.1.mass=32 "body carbody: a mass of 32 kg; kg are wanted, not t"
+doubts "a stiffness a million times too small" "coupling.7.rotation=[940e3, 0, 1.2]" "coupling antirollbar1: 1.2 N m/rad about z"
+doubts "a damping of Ns/mm" "coupling.1.damping=[15, 2, 4]" "coupling primary1-r: 2 N s/m along y"
+doubts "inertias of no body" "body.1.inertia=[4e6, 1.97e6, 1.97e6]" "body carbody: no body has these inertias, that about x is more than the other two"
+doubts "a wrong coordinate" "coupling.5.at=[-1.28, 10, 0.8275]" "coupling secondary1-r: 8.62 m off body bogie1"
+doubts "a carbody off the middle" body.1.y=0.05 "wheelset wheelset1: "
+"$bin/vxvehicle" --check --set "coupling.5.stiffness=[160e3, 160e3, 0.43]" "$coach" >"$tmp/out" 2>"$tmp/err"
+status=$?
+n=$((n + 1)); [ $status -eq 1 ] && echo "ok $n - a spring that does not carry is refused" || echo "not ok $n - a spring that does not carry is refused"
+says "with the doubt that may be why" "doubt      coupling secondary1-r: 0.43 N/m along z"
+
 is 0 "a file" "$bin/vxvehicle" -o "$tmp/a.veh" "$coach"
 is 0 "is a container" "$bin/vxinfo" "$tmp/a.veh"
 says "with the stiffness of seven bodies" "K                        f64   42 x 42"
