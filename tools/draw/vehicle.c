@@ -157,7 +157,7 @@ static const char *describe(struct chart *c, const struct drawing *d, int64_t k)
     const int twin = k + 1 < v->couplings && d->number[k + 1] == d->number[k];
 
     if (d->numbers > KEY_ROWS)
-        return chart_words(c, "%d %.*s (%.4g, %s%.4g, %.4g)", d->number[k], (int)stem(v->coupling_name[k]), v->coupling_name[k], at[0],
+        return chart_words(c, "%d %.*s at %.4g, %s%.4g, %.4g", d->number[k], (int)stem(v->coupling_name[k]), v->coupling_name[k], at[0],
                            twin ? "±" : "", twin ? fabs(at[1]) : at[1], -at[2]);
     return chart_words(c, "%d  %.*s, %s to %s, at %.5g, %s%.5g, height %.5g m", d->number[k],
                        (int)(twin ? stem(v->coupling_name[k]) : strlen(v->coupling_name[k])), v->coupling_name[k],
