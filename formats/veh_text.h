@@ -101,6 +101,8 @@ extern const struct yaml_schema veh_text_schema;
 
 /* As yaml_read, and the checks between keys. */
 const char *veh_text_read(struct veh_text *in, const char *path, char *const *set, int sets, uint64_t *hash);
+/* Line of the item that a reason from vehicle_build begins with, "KIND NAME: ...", or 0. */
+int veh_text_line(const struct veh_text *in, const char *why);
 void veh_text_free(struct veh_text *in);
 
 #endif

@@ -128,26 +128,35 @@ static const char *check_friction(const void *item)
     return !f->spring && f->load == 0 ? reason("friction %s: needs a load or a spring", name) : NULL;
 }
 
+/* All that sits between bodies. */
+enum { KINDS = 6 };
+struct kind { const char *what; const struct yaml_list *list; size_t size; const char *(*check)(const void *); };
+
+static void kinds(const struct veh_text_parts *p, struct kind kind[KINDS])
+{
+    const struct kind all[KINDS] = {{"coupling", &p->coupling, sizeof(struct veh_text_coupling), check_coupling},
+                                    {"stop", &p->stop, sizeof(struct veh_text_stop), NULL},
+                                    {"spring", &p->spring, sizeof(struct veh_text_spring), check_spring},
+                                    {"damper", &p->damper, sizeof(struct veh_text_damper), check_damper},
+                                    {"rod", &p->rod, sizeof(struct veh_text_rod), NULL},
+                                    {"friction", &p->friction, sizeof(struct veh_text_friction), check_friction}};
+    memcpy(kind, all, sizeof all);
+}
+
 const char *veh_text_check(const struct veh_text *in, int *line)
 {
-    const struct veh_text_parts *p = &in->parts;
-    const struct { const char *what; const struct yaml_list *list; size_t size; const char *(*check)(const void *); } kind[] = {
-        {"coupling", &p->coupling, sizeof(struct veh_text_coupling), check_coupling},
-        {"stop", &p->stop, sizeof(struct veh_text_stop), NULL},
-        {"spring", &p->spring, sizeof(struct veh_text_spring), check_spring},
-        {"damper", &p->damper, sizeof(struct veh_text_damper), check_damper},
-        {"rod", &p->rod, sizeof(struct veh_text_rod), NULL},
-        {"friction", &p->friction, sizeof(struct veh_text_friction), check_friction}};
+    struct kind kind[KINDS];
     const char *why;
 
     *line = 0;
     if (strlen(in->name) > 63)
         return reason("name: \"%s\" is longer than 63 letters", in->name);
-    if (p->wheelset.n < 1)
+    if (in->parts.wheelset.n < 1)
         return "wheelset: a vehicle needs one";
     if ((why = check_bodies(in, line)))
         return why;
-    for (size_t k = 0; k < sizeof kind/sizeof *kind; k++)
+    kinds(&in->parts, kind);
+    for (int k = 0; k < KINDS; k++)
         for (int64_t i = 0; i < kind[k].list->n; i++) {
             const void *item = (const char *)kind[k].list->item + (size_t)i*kind[k].size;
             *line = kind[k].list->line[i];
@@ -155,4 +164,38 @@ const char *veh_text_check(const struct veh_text *in, int *line)
                 return why;
         }
     return NULL;
+}
+
+/* A text that begins with this name, its side aside, and a colon. */
+static int names(const char *text, const char *name)
+{
+    size_t n = strlen(name);
+
+    if (strncmp(text, name, n))
+        return 0;
+    text += n;
+    if (!strncmp(text, "-r", SIDE_LETTERS) || !strncmp(text, "-l", SIDE_LETTERS))
+        text += SIDE_LETTERS;
+    return *text == ':';
+}
+
+int veh_text_line(const struct veh_text *in, const char *why)
+{
+    struct kind kind[KINDS];
+    const char *text = strchr(why, ' ');
+    int line;
+
+    if (!text++)
+        return 0;
+    for (int64_t i = 0; i < body_count(in); i++)
+        if (names(text, body_name(in, i, &line)))
+            return line;
+    kinds(&in->parts, kind);
+    for (int k = 0; k < KINDS; k++)
+        for (int64_t i = 0; i < kind[k].list->n; i++) {
+            const struct veh_text_place *p = (const void *)((const char *)kind[k].list->item + (size_t)i*kind[k].size);
+            if (names(text, p->name))
+                return kind[k].list->line[i];
+        }
+    return 0;
 }

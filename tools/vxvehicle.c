@@ -6,6 +6,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "formats/veh.h"
 #include "formats/veh_text.h"
@@ -116,6 +117,14 @@ static void print_check(const struct veh *v)
     print_doubts(v);
 }
 
+/* At the line of what is wrong, where it has one. */
+static void refuse(const char *path, int line, const char *why)
+{
+    if (line == 0)
+        cli_check(path, why);
+    cli_die("%s:%d: error: %s", strcmp(path, "-") ? path : "standard input", line, why);
+}
+
 static void write_vehicle(const struct veh *v, uint64_t hash, const char *path)
 {
     struct vxf_out o;
@@ -145,7 +154,8 @@ int main(int argc, char **argv)
         print_doubts(&v);
         fflush(stdout);
     }
-    cli_check(path, why);
+    if (why)
+        refuse(path, veh_text_line(&in, why), why);
     if (opt.check)
         print_check(&v);
     else
