@@ -93,7 +93,7 @@ VX_CACHE=$dir/cache both_tables full
 VX_CACHE=$dir/cache job "the same from the cache" - - both_tables full
 "$PWD/build/tests/bench/lookup" "$dir/full-l.ctab" >"$dir/lookup"
 row "contact look-up, along a run" "$(awk '$1 == "along" {print $2}' "$dir/lookup")" ns 150 -
-row "contact look-up, at random" "$(awk '$1 == "random" {print $2}' "$dir/lookup")" ns 150 -
+row "contact look-up, at random" "$(awk '$1 == "random" {print $2}' "$dir/lookup")" ns 150 "$(awk '$1 == "chain" {print $2}' "$dir/lookup")"
 job "receptance, 120 m track, 1451 frequencies" 0.5 0.17 \
     vxfreq --receptance --excite both --at sleeper --from 50 --to 1500 --step 1 "$dir/straight.trk"
 fine="--set rail.mass_model=consistent --set rail.beam=timoshenko --set rail.elements_per_bay=8"

@@ -8,8 +8,8 @@
  * Roll carries the height to second order, d2(height)/d(roll)2 = -(1 + height_u^2) d(contact's y)/d(roll), and the place of the contact to
  * first.
  *
- * A call reads a line of the processor's cache for each corner of each branch, all at once: they wait for nothing but the nodes' first
- * rows and the cell. */
+ * A call waits for memory twice: for five lines of it, the cell's and the nodes' first rows, and for a line for each corner of each branch, all
+ * asked for at once. */
 #include "tools/contact/lookup.h"
 
 #include <math.h>
@@ -17,6 +17,7 @@
 
 #include "tools/contact/clones.h"
 #include "tools/contact/link.h"
+#include "tools/contact/prefetch.h"
 
 #define LEAST_WEIGHT 1e-12    /* what rounding leaves of a corner on the query's own node */
 #define TANGENT_MOST 0.05     /* m of station a contact that ends goes on along its tangent */
@@ -25,7 +26,7 @@ enum { CORNERS = CTAB_CORNERS, ALL = (1 << CORNERS) - 1, AXES = CTAB_LINKS };
 
 struct cell {
     const uint8_t *branch;          /* of the table, those of the cell */
-    int64_t first[CORNERS];         /* row */
+    const float *before[CORNERS];   /* the row before the corner's first */
     unsigned in;                    /* bits of the corners that count */
     double weight[CORNERS];
     double per_s[CORNERS];          /* 1/m, derivative of the weight by station */
@@ -37,7 +38,7 @@ struct cell {
 /* The rows of a branch. */
 struct branch {
     unsigned held;                  /* bits of the corners that it holds and that count */
-    int64_t at[CORNERS];            /* in the table; where not held, the same as one that is */
+    const float *row[CORNERS];      /* [CTAB_N] in the table; where not held, the same as one that is */
     double weight[CORNERS], per_s[CORNERS];      /* 0 where not held */
 };
 
@@ -99,8 +100,9 @@ static void cell_find(const struct ctab *t, double s, double yaw, double u, stru
         int64_t further = (ahead ? t->yaws * t->us : 0) + (k >> 1 & 1 ? t->us : 0) + (k & 1);
         c->weight[k] = across[at] * ws;
         c->per_s[k] = ahead ? across[at] * per_length : -across[at] * per_length;
-        c->first[k] = t->first[in ? node + further : node];
+        c->before[k] = t->row + ((int64_t)t->first[in ? node + further : node] - 1) * CTAB_N;
         c->in |= (unsigned)in << k;
+        PREFETCH(c->before[k] + CTAB_N);
     }
 }
 
@@ -121,7 +123,7 @@ static int branch_find(const struct cell *c, const uint8_t of[CORNERS], struct b
     b->held = 0;
     for (int k = 0; k < CORNERS; k++) {
         b->held |= (unsigned)(of[k] > 0) << k & c->in;
-        b->at[k] = c->first[k] + of[k] - 1;
+        b->row[k] = c->before[k] + of[k] * CTAB_N;
     }
     memcpy(b->weight, c->weight, sizeof b->weight);
     memcpy(b->per_s, c->per_s, sizeof b->per_s);
@@ -131,19 +133,15 @@ static int branch_find(const struct cell *c, const uint8_t of[CORNERS], struct b
         any++;
     for (int k = 0; k < CORNERS; k++)
         if (!(b->held >> k & 1)) {
-            b->at[k] = b->at[any % CORNERS];
+            b->row[k] = b->row[any % CORNERS];
             b->weight[k] = b->per_s[k] = 0;
         }
     return b->held != 0;
 }
 
 /* Sum of the columns of eight rows, some with weight 0, so that columns stay in lanes. */
-CLONES static void rows_sum(const float *row, const int64_t at[CORNERS], const double w[CORNERS], double sum[restrict CTAB_N])
+CLONES static void rows_sum(const float *const r[CORNERS], const double w[CORNERS], double sum[restrict CTAB_N])
 {
-    const float *r[CORNERS];
-
-    for (int k = 0; k < CORNERS; k++)
-        r[k] = row + at[k] * CTAB_N;
     for (int i = 0; i < CTAB_N; i++)
         sum[i] = ((w[0] * r[0][i] + w[1] * r[1][i]) + (w[2] * r[2][i] + w[3] * r[3][i])) +
                  ((w[4] * r[4][i] + w[5] * r[5][i]) + (w[6] * r[6][i] + w[7] * r[7][i]));
@@ -152,13 +150,13 @@ CLONES static void rows_sum(const float *row, const int64_t at[CORNERS], const d
 struct height { double z, by_station; };      /* m, 1 */
 
 /* Sum of the heights of a branch's corners, carried to the query.  `held` says which corners have a neighbour along an axis. */
-static inline struct height heights_sum(const float *rows, const struct cell *c, const struct branch *b, unsigned held)
+static inline struct height heights_sum(const struct cell *c, const struct branch *b, unsigned held)
 {
     static const double part[2] = {1, 0.5};
     struct height o = {0, 0};
 
     for (int k = 0; k < CORNERS; k++) {
-        const float *row = rows + b->at[k] * CTAB_N;
+        const float *row = b->row[k];
         double part_s = part[held >> (k ^ 4) & 1], ds = c->off[CTAB_LINK_STATION][k >> 2], fall = link_fall(row), by_station = part_s * fall;
         if (part_s == 1 && fabs(ds) > TANGENT_MOST) {
             ds = copysign(TANGENT_MOST, ds);
@@ -191,7 +189,7 @@ static int blend(const struct ctab *t, const struct cell *c, const uint8_t of[CO
     if (!branch_find(c, of, &b))
         return 0;
     const int whole = b.held == c->in;
-    struct height h = whole ? heights_sum(t->row, c, &b, ALL) : heights_sum(t->row, c, &b, b.held);
+    struct height h = whole ? heights_sum(c, &b, ALL) : heights_sum(c, &b, b.held);
     if (!whole) {
         W = 0;
         for (int k = 0; k < CORNERS; k++) {
@@ -204,10 +202,10 @@ static int blend(const struct ctab *t, const struct cell *c, const uint8_t of[CO
     const double per_W = 1 / W;
     o->weight = W;
     for (int k = 0; k < CORNERS; k++) {
-        o->at[k] = b.at[k];
+        o->at[k] = (b.row[k] - t->row) / CTAB_N;
         o->share[k] = b.weight[k] * per_W;
     }
-    rows_sum(t->row, o->at, o->share, o->row);
+    rows_sum(b.row, o->share, o->row);
     o->height = h.z * per_W;
     o->height_s = (h.by_station - o->height * W_s) * per_W;
     o->height_yaw = o->row[CTAB_HEIGHT_YAW] - o->height_s * t->wheel_position;
