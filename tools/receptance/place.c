@@ -1,8 +1,10 @@
 #include "tools/receptance/place.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "formats/reason.h"
 #include "tools/track/rails.h"
 
 const char *const place_on[] = {"left", "right", "both", "sleeper", NULL}, *const place_at[] = {"sleeper", "midspan", "station", NULL};
@@ -78,6 +80,50 @@ static double held_lateral(const struct trk *t, int rail, int64_t node, double x
     const double h = *t->rail_head, twist = x * (b.length - a) / (t->rail_torsion[rail * (t->nodes - 1) + node] * b.length);
 
     return beam_between(&b, x, a) + h * h * twist;
+}
+
+/* A decimal number and nothing else. */
+static int is_number(const char *text, double *value)
+{
+    char *end;
+
+    *value = strtod(text, &end);
+    return end > text && !*end && strspn(text, "+-.0123456789eE") == strlen(text);
+}
+
+const char *place_named(struct place *p, const struct trk *t, int on, const char *where, double near, int lateral)
+{
+    const double first = t->x[0], last = t->x[t->nodes - 1];
+    double x = near > PLACE_MIDDLE ? near : 0.5 * (first + last);
+    int at = AT_SLEEPER;
+
+    while (at < AT_STATION && strcmp(where, place_at[at]) != 0)
+        at++;
+    if (at == AT_MIDSPAN && t->sleepers == 1)
+        return "midspan: a moving mass has no span";
+    if (at == AT_STATION && !is_number(where, &x))
+        return reason("\"%s\" must be sleeper, midspan or a station in m", where);
+    if (at == AT_STATION && !(x >= first && x <= last))
+        return reason("%g must be %g to %g, where the rails are", x, first, last);
+    if (lateral && !trk_is_spatial(t))
+        return "a vertical track does not move sideways: lateral wants one of dofs: spatial";
+    (lateral ? place_find_lateral : place_find)(p, t, on, at, x);
+    return NULL;
+}
+
+void place_load(const struct place *p, double force, double *f)
+{
+    for (int k = 0; k < p->dofs; k++)
+        f[p->dof[k]] += force * p->share[k];
+}
+
+double place_motion(const struct place *p, const double *u)
+{
+    double w = 0;
+
+    for (int k = 0; k < p->dofs; k++)
+        w += p->share[k] * u[p->dof[k]];
+    return w;
 }
 
 double place_held(const struct place *force, const struct place *seen, const struct trk *t)

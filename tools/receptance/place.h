@@ -27,6 +27,15 @@ void place_find(struct place *p, const struct trk *t, int on, int at, double x);
 /* The same sideways, on a spatial track: of a rail at its head, so that twist counts, of a sleeper at its centre. */
 void place_find_lateral(struct place *p, const struct trk *t, int on, int at, double x);
 
+#define PLACE_MIDDLE -1e9                /* m, as near: the middle of the track */
+
+/* The place that `where` names: sleeper or midspan, the one nearest to `near` (m), or a station in m on the rails; lateral or not. */
+const char *place_named(struct place *p, const struct trk *t, int on, const char *where, double near, int lateral);
+
+/* f [dofs] += a force at p; and the motion there of u [dofs]. */
+void place_load(const struct place *p, double force, double *f);
+double place_motion(const struct place *p, const double *u);
+
 /* m/N: what the element gives with held ends at `seen` under a unit force at `force`; 0 where they share no element. */
 double place_held(const struct place *force, const struct place *seen, const struct trk *t);
 

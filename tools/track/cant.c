@@ -1,13 +1,12 @@
 #include "tools/track/cant.h"
 
 #include "formats/reason.h"
+#include "tools/track/along.h"
 
-/* A constant is one knot, at the beginning of the track; sleeper number 1 stands in the middle of the first bay from first_sleeper. */
+/* A constant is one knot, at the beginning of the track. */
 static double station_of(const struct trk_text *in, int64_t k)
 {
-    if (in->cant.n == 1)
-        return in->from;
-    return in->cant.by_number ? in->first_sleeper + (in->cant.at[k] - 0.5) * in->sleeper.spacing : in->cant.at[k];
+    return in->cant.n == 1 ? in->from : along_station(&in->cant, in, in->cant.at[k]);
 }
 
 const char *cant_lay(struct trk *t, const struct trk_text *in)

@@ -1,5 +1,5 @@
 /* Newton's method on the energy, which is convex and quadratic in pieces: K of the springs that touch gives the next state, an exact search
- * along the line to it keeps the energy falling, and so a finite number of pieces is met (Sun 1997, J. Optim. Theory Appl. 92, 195).  Without
+ * along the line to it keeps the energy falling, and so a finite number of pieces is met (Sun 1997, Mathematical Programming 76, 451).  Without
  * springs that only push it is one solution.  Where what touches does not hold the track, as a sleeper tilted onto one spring, the step is that
  * of all springs, each open one without force where it is: more than the energy can be, so it falls too. */
 #include "tools/track/equilibrium.h"
@@ -238,6 +238,14 @@ const char *equilibrium_new(struct equilibrium *e, const struct trk *t, double g
     return why;
 }
 
+void equilibrium_states(const struct equilibrium *e, int64_t *state)
+{
+    for (int64_t i = 0; i < TRK_BALLAST * e->track->sleepers; i++)
+        state[i] = TRK_BONDED;
+    for (int64_t i = 0; i < e->pushes; i++)
+        state[e->push[i].spring] = e->push[i].closed ? TRK_CLOSED : TRK_OPEN;
+}
+
 void equilibrium_free(struct equilibrium *e)
 {
     cholesky_free(&e->factor);
@@ -265,8 +273,7 @@ const char *equilibrium_settle(struct trk *t, double gravity)
     const char *why = equilibrium_new(&e, t, gravity);
     if (why)
         return why;
-    for (int64_t i = 0; i < e.pushes; i++)
-        state[e.push[i].spring] = e.push[i].closed ? TRK_CLOSED : TRK_OPEN;
+    equilibrium_states(&e, state);
     t->ballast_state = state;
     equilibrium_free(&e);
     return assemble_track(t);

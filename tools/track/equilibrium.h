@@ -33,6 +33,9 @@ const char *equilibrium_find(struct equilibrium *e, const double *f, double *u);
 /* u [dofs]: what f [dofs] adds to the rest under own weight; u may not be f. */
 const char *equilibrium_add(struct equilibrium *e, const double *f, double *u);
 
+/* state [3][sleepers]: TRK_BONDED, and TRK_CLOSED or TRK_OPEN as in what was found last. */
+void equilibrium_states(const struct equilibrium *e, int64_t *state);
+
 void equilibrium_free(struct equilibrium *e);
 
 /* Finds which ballast of a new track touches under its own weight, and assembles K and C with that. */

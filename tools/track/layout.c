@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "formats/reason.h"
+#include "tools/track/along.h"
 #include "tools/track/cant.h"
 #include "tools/track/pads.h"
 #include "tools/track/rails.h"
@@ -15,17 +16,6 @@ static const double WHOLE = 1e-6;      /* length / spacing may differ this much 
 static double *numbers(struct trk *t, int64_t n)
 {
     return trk_room(t, n, sizeof(double));
-}
-
-/* Sleeper number as a continuous function of the station: 1 in the middle of the first bay from first_sleeper. */
-static double number_at(const struct trk_text *in, double x)
-{
-    return (x - in->first_sleeper) / in->sleeper.spacing + 0.5;
-}
-
-static double at_station(const struct yaml_table *table, const struct trk_text *in, double x)
-{
-    return yaml_table_at(table, x, number_at(in, x));
 }
 
 static const char *lay_sleepers(struct trk *t, const struct trk_text *in)
@@ -39,10 +29,10 @@ static const char *lay_sleepers(struct trk *t, const struct trk_text *in)
     for (int64_t k = 0; k < n; k++) {
         node[k] = k * in->rail.elements_per_bay;
         x[k] = t->x[node[k]];
-        number[k] = (int64_t)floor(number_at(in, x[0]) + 0.5 + WHOLE) + k;
-        mass[k] = at_station(&in->sleeper.mass, in, x[k]);
-        inertia[k] = in->sleeper.roll == TRK_TEXT_HELD ? 0 : at_station(&in->sleeper.roll_inertia, in, x[k]);
-        y[k] = at_station(&in->sleeper.centre, in, x[k]);
+        number[k] = (int64_t)floor(along_number(in, x[0]) + 0.5 + WHOLE) + k;
+        mass[k] = along_at(&in->sleeper.mass, in, x[k]);
+        inertia[k] = in->sleeper.roll == TRK_TEXT_HELD ? 0 : along_at(&in->sleeper.roll_inertia, in, x[k]);
+        y[k] = along_at(&in->sleeper.centre, in, x[k]);
     }
     t->sleeper_x = x;
     t->sleeper_node = node;
@@ -57,7 +47,7 @@ static const char *lay_sleepers(struct trk *t, const struct trk_text *in)
 static const char *check_centres(const struct trk *t, const struct trk_text *in)
 {
     for (int64_t s = 0; s < t->sleepers; s++) {
-        const double half = at_station(&in->sleeper.length, in, t->sleeper_x[s]) / 2;
+        const double half = along_at(&in->sleeper.length, in, t->sleeper_x[s]) / 2;
         for (int rail = 0; rail < TRK_RAILS; rail++) {
             const double y = (rail == TRK_LEFT ? -0.5 : 0.5) * t->rail_spacing - t->sleeper_y[s];
             if (fabs(y) > half)
@@ -79,7 +69,7 @@ static double ballast_part(const struct trk_text *in, int spring, double total)
 /* The spring's own value at x where it has one, else `rest`. */
 static double own_at(const struct yaml_table *own, const struct trk_text *in, double x, double rest)
 {
-    return own->n ? at_station(own, in, x) : rest;
+    return own->n ? along_at(own, in, x) : rest;
 }
 
 static const char *lay_ballast(struct trk *t, const struct trk_text *in)
@@ -93,16 +83,16 @@ static const char *lay_ballast(struct trk *t, const struct trk_text *in)
     if (!k || !c || !y || !gap || !state)
         return REASON_MEMORY;
     for (int64_t s = 0; s < n; s++) {
-        double x = t->sleeper_x[s], length = at_station(&in->sleeper.length, in, x), arm = length / 2 - in->ballast.edge;
+        double x = t->sleeper_x[s], length = along_at(&in->sleeper.length, in, x), arm = length / 2 - in->ballast.edge;
         if (!(arm > 0))
             return reason("ballast.edge: sleeper %lld of length %g m is too short for springs %g m from its ends",
                           (long long)t->sleeper_number[s], length, in->ballast.edge);
         for (int b = 0; b < TRK_BALLAST; b++) {
             const int64_t i = b * n + s;
-            k[i] = own_at(&own[b]->stiffness, in, x, ballast_part(in, b, at_station(&in->ballast.stiffness, in, x)));
-            c[i] = own_at(&own[b]->damping, in, x, ballast_part(in, b, at_station(&in->ballast.damping, in, x)));
+            k[i] = own_at(&own[b]->stiffness, in, x, ballast_part(in, b, along_at(&in->ballast.stiffness, in, x)));
+            c[i] = own_at(&own[b]->damping, in, x, ballast_part(in, b, along_at(&in->ballast.damping, in, x)));
             y[i] = (b - 1) * arm;
-            gap[i] = own_at(&own[b]->gap, in, x, at_station(&in->ballast.gap, in, x));
+            gap[i] = own_at(&own[b]->gap, in, x, along_at(&in->ballast.gap, in, x));
             if (in->model == TRK_TEXT_MOVING_MASS && gap[i] > 0)
                 return "ballast.gap: a moving mass has no void beneath it";
             state[i] = (in->ballast.tension || in->model == TRK_TEXT_MOVING_MASS) && !(gap[i] > 0) ? TRK_BONDED : TRK_CLOSED;

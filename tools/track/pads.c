@@ -5,11 +5,7 @@
 #include <string.h>
 
 #include "formats/reason.h"
-
-static double at_station(const struct yaml_table *table, const struct trk_text *in, double x)
-{
-    return yaml_table_at(table, x, (x - in->first_sleeper) / in->sleeper.spacing + 0.5);
-}
+#include "tools/track/along.h"
 
 /* Railpad i of [2][sleepers] is in the zones one and two, counted from 1. */
 static const char *twice(const struct trk *t, const struct trk_text *in, int64_t i, int64_t one, int64_t two)
@@ -78,6 +74,31 @@ static const char *leave_out(const struct trk *t, const struct trk_text *in, dou
     return why;
 }
 
+/* Two springs at least hold what can go down and turn: railpads and ballast a sleeper, railpads a rail.  k [2][sleepers] of the railpads. */
+static const char *check_held(const struct trk *t, const double *k)
+{
+    const int64_t n = t->sleepers;
+    int64_t pads[TRK_RAILS] = {0};
+
+    for (int64_t s = 0; s < n; s++) {
+        int springs = 0;
+        for (int b = 0; b < TRK_BALLAST; b++)
+            springs += t->ballast_k[b * n + s] > 0;
+        for (int rail = 0; rail < TRK_RAILS; rail++) {
+            springs += k[rail * n + s] > 0;
+            pads[rail] += k[rail * n + s] > 0;
+        }
+        if (springs < 2)
+            return reason("sleeper %lld: %d of its railpads and ballast springs is there, two at least must hold it",
+                          (long long)t->sleeper_number[s], springs);
+    }
+    for (int rail = 0; rail < TRK_RAILS && n > 1; rail++)
+        if (pads[rail] < 2)
+            return reason("railpad.missing: the %s rail has %lld railpads left, two at least must hold it", rail ? "right" : "left",
+                          (long long)pads[rail]);
+    return NULL;
+}
+
 const char *pads_lay(struct trk *t, const struct trk_text *in)
 {
     const int64_t n = t->sleepers;
@@ -95,11 +116,13 @@ const char *pads_lay(struct trk *t, const struct trk_text *in)
     }
     for (int64_t i = 0; i < TRK_RAILS * n; i++) {
         const struct trk_text_zone_pad own = zone[i] ? z[zone[i] - 1].railpad : (struct trk_text_zone_pad){0};
-        k[i] = own.stiffness > 0 ? own.stiffness : at_station(&in->railpad.stiffness, in, t->sleeper_x[i % n]);
-        c[i] = own.damping > 0 ? own.damping : at_station(&in->railpad.damping, in, t->sleeper_x[i % n]);
+        k[i] = own.stiffness > 0 ? own.stiffness : along_at(&in->railpad.stiffness, in, t->sleeper_x[i % n]);
+        c[i] = own.damping > 0 ? own.damping : along_at(&in->railpad.damping, in, t->sleeper_x[i % n]);
     }
     if (!why)
         why = leave_out(t, in, k, c);
+    if (!why)
+        why = check_held(t, k);
     t->pad_k = k;
     t->pad_c = c;
     t->pad_zone = zone;

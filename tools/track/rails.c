@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "formats/reason.h"
+#include "tools/track/along.h"
 
 static double *numbers(struct trk *t, int64_t n)
 {
@@ -28,29 +29,18 @@ static const struct yaml_table *bending_of(const struct trk_text *in, int rail)
     return own_or_both(&own_of(in, rail)->bending_stiffness, &in->rail.bending_stiffness);
 }
 
-/* Sleeper number 1 stands in the middle of the first bay from first_sleeper. */
-static double station_of(const struct trk_text *in, const struct yaml_table *table, double at)
-{
-    return table->by_number ? in->first_sleeper + (at - 0.5) * in->sleeper.spacing : at;
-}
-
-static double at_station(const struct trk_text *in, const struct yaml_table *table, double x)
-{
-    return yaml_table_at(table, x, (x - in->first_sleeper) / in->sleeper.spacing + 0.5);
-}
-
 /* Mean over a < x < b, exact: trapezia between the knots. */
 static double mean(const struct trk_text *in, const struct yaml_table *table, double a, double b)
 {
-    double x = a, value = at_station(in, table, a), sum = 0;
+    double x = a, value = along_at(table, in, a), sum = 0;
 
     if (table->n == 1)
         return value;
     for (int64_t k = 0; k <= table->n; k++) {
-        const double next = k < table->n ? station_of(in, table, table->at[k]) : b;
+        const double next = k < table->n ? along_station(table, in, table->at[k]) : b;
         if (next <= x || next > b)
             continue;
-        const double there = at_station(in, table, next);
+        const double there = along_at(table, in, next);
         sum += 0.5 * (value + there) * (next - x);
         x = next;
         value = there;
@@ -75,14 +65,14 @@ const char *rails_lay_bending(struct trk *t, const struct trk_text *in, const st
         return REASON_MEMORY;
     for (int rail = 0; rail < TRK_RAILS; rail++)
         for (int64_t k = 0; k < of[rail]->n; k++)
-            x[n++] = of[rail]->n > 1 ? station_of(in, of[rail], of[rail]->at[k]) : in->from;
+            x[n++] = of[rail]->n > 1 ? along_station(of[rail], in, of[rail]->at[k]) : in->from;
     qsort(x, (size_t)n, sizeof *x, by_station);
     *knots = 1;
     for (int64_t k = 1; k < n; k++)
         if (x[k] > x[*knots - 1])
             x[(*knots)++] = x[k];
     for (int64_t k = 0; k < TRK_RAILS * *knots; k++)
-        bending[k] = at_station(in, of[k / *knots], x[k % *knots]);
+        bending[k] = along_at(of[k / *knots], in, x[k % *knots]);
     *at = x;
     *EI = bending;
     return NULL;
@@ -104,7 +94,7 @@ static void lay_nodes(const struct trk_text *in, int rail, int64_t n, const doub
             mass[i] = mean(in, of, x[i] - behind, x[i] + ahead) * (moving ? bay : first || last ? (h + bay) / 2 : h);
         else if (first || last)
             mass[i] = mean(in, of, first ? x[i] - behind : x[i], first ? x[i] : x[i] + ahead) * (bay / 2);
-        inertia[i] = lumped && !moving ? at_station(in, pitch, x[i]) : 0;
+        inertia[i] = lumped && !moving ? along_at(pitch, in, x[i]) : 0;
     }
 }
 

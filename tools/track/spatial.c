@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "formats/reason.h"
+#include "tools/track/along.h"
 #include "tools/track/rails.h"
 
 static double *numbers(struct trk *t, int64_t n)
@@ -20,11 +21,6 @@ static const double *keep(struct trk *t, double value)
     if (x)
         *x = value;
     return x;
-}
-
-static double at_station(const struct yaml_table *table, const struct trk_text *in, double x)
-{
-    return yaml_table_at(table, x, (x - in->first_sleeper) / in->sleeper.spacing + 0.5);
 }
 
 static const char *lay_bending(struct trk *t, const struct trk_text *in)
@@ -85,12 +81,12 @@ static const char *lay_sleepers(struct trk *t, const struct trk_text *in)
     if (!inertia || !k || !c || !yaw_k || !yaw_c)
         return REASON_MEMORY;
     for (int64_t s = 0; s < n; s++) {
-        const double x = t->sleeper_x[s], length = at_station(&in->sleeper.length, in, x), arms = length * length / 12;
-        inertia[s] = at_station(&in->sleeper.yaw_inertia, in, x);
-        k[s] = at_station(&in->ballast.lateral_stiffness, in, x);
-        c[s] = at_station(&in->ballast.lateral_damping, in, x);
-        yaw_k[s] = at_station(&in->ballast.longitudinal_stiffness, in, x) * arms;
-        yaw_c[s] = at_station(&in->ballast.longitudinal_damping, in, x) * arms;
+        const double x = t->sleeper_x[s], length = along_at(&in->sleeper.length, in, x), arms = length * length / 12;
+        inertia[s] = along_at(&in->sleeper.yaw_inertia, in, x);
+        k[s] = along_at(&in->ballast.lateral_stiffness, in, x);
+        c[s] = along_at(&in->ballast.lateral_damping, in, x);
+        yaw_k[s] = along_at(&in->ballast.longitudinal_stiffness, in, x) * arms;
+        yaw_c[s] = along_at(&in->ballast.longitudinal_damping, in, x) * arms;
     }
     t->sleeper_yaw = inertia;
     t->ballast_lateral_k = k;
@@ -113,8 +109,8 @@ static const char *lay_pads(struct trk *t, const struct trk_text *in)
         const double x = t->sleeper_x[i % n];
         if (!(t->pad_k[i] > 0))
             continue;
-        k[i] = own.lateral_stiffness > 0 ? own.lateral_stiffness : at_station(&in->railpad.lateral_stiffness, in, x);
-        c[i] = own.lateral_damping > 0 ? own.lateral_damping : at_station(&in->railpad.lateral_damping, in, x);
+        k[i] = own.lateral_stiffness > 0 ? own.lateral_stiffness : along_at(&in->railpad.lateral_stiffness, in, x);
+        c[i] = own.lateral_damping > 0 ? own.lateral_damping : along_at(&in->railpad.lateral_damping, in, x);
     }
     t->pad_lateral_k = k;
     t->pad_lateral_c = c;
@@ -127,7 +123,7 @@ static const char *find_ends(const struct trk *t, const struct trk_text *in, con
     *first = t->sleepers;
     *last = -1;
     for (int64_t s = 0; s < t->sleepers; s++) {
-        const double x = t->sleeper_x[s], half = at_station(&in->sleeper.length, in, x) / 2, y = b->side - t->sleeper_y[s];
+        const double x = t->sleeper_x[s], half = along_at(&in->sleeper.length, in, x) / 2, y = b->side - t->sleeper_y[s];
         if (x < b->from || x > b->to)
             continue;
         if (fabs(y) > half)
