@@ -110,13 +110,11 @@ static void check_side(const char *path, const struct ctab *t, char side)
         cli_die("%s: is of side %c, but %s wants side %c", path, t->side, side == 'l' ? "--contact-left" : "--contact-right", side);
 }
 
-/* A track has no name of its route; one without a curve is not that of a diverging route.  One node is a moving mass. */
+/* A track has no name of its route; one without a curve is not that of a diverging route.  */
 static void check_track(const char *path, const struct case_text *c, const struct trk *t)
 {
     int curved = 0;
 
-    if (t->nodes == 1)
-        cli_die("%s: a moving-mass track has receptance, modes and statics; a train wants model: fixed", path);
     if (trk_is_spatial(t))
         cli_die("%s: a spatial track has receptance, modes and statics; a train wants dofs: vertical", path);
     for (int64_t i = 0; i < t->curves; i++)

@@ -103,7 +103,9 @@ refuses 1 "one of explicit" "a scheme that is not built" --set scheme=newmark "$
 refuses 1 "one of facing" "a direction that is not built" --set direction=trailing "$plain"
 refuses 1 "a .veh file where a .trk file is wanted" "the wrong kind" --track "$dir/coach.veh" "$plain"
 vxtrack -o "$dir/mass.trk" data/tracks/moving-mass.yaml
-refuses 1 "a moving-mass track has receptance, modes and statics" "a moving mass" --track "$dir/mass.trk" "$plain"
+vxrun --track "$dir/mass.trk" -o "$dir/m.run" "$plain"
+ok $? "a moving mass goes with the train"
+refuses 1 "explicit scheme wants" "one in explicit steps" --track "$dir/mass.trk" --set scheme=explicit "$plain"
 refuses 1 "a .ctab file where a .veh file is wanted" "another" --vehicle "$dir/l.ctab" "$plain"
 refuses 1 "the route is diverging, but this track has no curve" "a straight track for the diverging route" --set route=diverging "$plain"
 refuses 1 "r.ctab: is of side r, but --contact-left wants side l" "a table of the other side" --contact-left "$dir/r.ctab" "$plain"

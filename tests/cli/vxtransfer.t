@@ -63,6 +63,9 @@ refuses_run()
 refuses_run "instead of vehicle" "a vehicle beside the force" --vehicle "$dir/coach.veh"
 refuses_run "force.at: 20 m is not on the rails" "a force beside the track" --set force.at=20
 refuses_run "probe.2.at: -15 m is not on the rails" "a probe beside the track" --set probe.2.at=-15
+vxtrack -o "$dir/mass.trk" data/tracks/moving-mass.yaml
+fails 1 "a force on a moving mass" vxrun --track "$dir/mass.trk" data/cases/hammer.yaml
+like "$(cat "$dir/err")" "fixed in space" "... fixed in space"
 refuses_run "leaves nothing" "a rest as long as all" --set force.kind=noise --set force.rest=4
 refuses_run "must lie beyond force.from" "a band the wrong way" --set force.to=10
 refuses_run "beyond the limit of the explicit scheme" "too long a step" --set scheme=explicit --set step=2e-4 --set sampling=5e3

@@ -154,7 +154,7 @@ const char *couple_wheels(struct passage *p)
     int64_t at = 0;
 
     for (int64_t k = 0; k < wheels(p); k++) {
-        p->couple[k].place = way_find(&p->rails, (int)(k % 2), passage_wheel_station(p, k / 2));
+        p->couple[k].place = passage_place(p, k / 2, (int)(k % 2));
         p->couple[k].applied = 0;
     }
     if (yields)

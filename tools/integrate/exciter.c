@@ -66,6 +66,8 @@ const char *exciter_place(struct exciter *e, const struct trk *t)
 {
     const double first = t->x[0], last = t->x[t->nodes - 1];
 
+    if (t->nodes == 1)
+        return "force: a prescribed force wants a track fixed in space, not a moving mass";
     if (e->x < first || e->x > last)
         return reason("force.at: %g m is not on the rails, %g to %g m", e->x, first, last);
     for (int64_t k = 0; k < e->probes; k++) {

@@ -13,11 +13,14 @@
 
 /* ---- checks ---- */
 
-static const char *check_ends(const struct passage_options *o, const struct trk *t, const struct veh *v)
+static const char *check_ends(const struct passage *p)
 {
+    const struct passage_options *o = &p->o;
+    const struct trk *t = p->track;
+    const struct veh *v = p->vehicle;
     double rear = 0, first = t->x[0] + END_MARGIN, last = t->x[t->nodes - 1] - END_MARGIN;
 
-    if (!v->wheelsets)
+    if (!v->wheelsets || p->follows)
         return NULL;
     for (int64_t i = 0; i < v->wheelsets; i++)
         rear = fmin(rear, v->cg[3 * v->wheelset[i]]);
@@ -85,14 +88,12 @@ static const char *check_step(struct passage *p)
     return NULL;
 }
 
-static int sideways_new(struct sideways *s, size_t wheels)
+/* A moving mass is laid under every wheelset. */
+static const char *lay_track(struct passage *p, const struct trk *track)
 {
-    s->y = calloc(3 * wheels, sizeof *s->y);
-    if (!s->y)
-        return 0;
-    s->v = s->y + wheels;
-    s->a = s->v + wheels;
-    return 1;
+    p->follows = follow_is(track);
+    p->track = p->follows ? &p->own : track;
+    return p->follows ? follow_train(&p->own, track, p->vehicle) : NULL;
 }
 
 const char *passage_new(struct passage *p, const struct passage_options *o, const struct trk *track, const struct veh *vehicle,
@@ -101,17 +102,17 @@ const char *passage_new(struct passage *p, const struct passage_options *o, cons
     size_t wheels = (size_t)(2 * vehicle->wheelsets);
     const char *why;
 
-    *p = (struct passage){.o = *o, .track = track, .vehicle = vehicle, .table = {left, right}, .station = o->start};
+    *p = (struct passage){.o = *o, .vehicle = vehicle, .table = {left, right}, .station = o->start};
     p->steps = o->exciter ? o->exciter->steps : (int64_t)ceil((o->end - o->start) / (o->speed * o->step) - 1e-9);
     p->memory = calloc(wheels, sizeof *p->memory);
     p->couple = calloc(wheels, sizeof *p->couple);
     p->wheel = calloc(wheels, sizeof *p->wheel);
-    if (!p->memory || !p->couple || !p->wheel || !sideways_new(&p->sideways, wheels))
+    if (!p->memory || !p->couple || !p->wheel || sideways_new(&p->sideways, vehicle->wheelsets))
         why = REASON_MEMORY;
-    else if (!(why = check_ends(o, track, vehicle)) && !(why = check_tables(vehicle, left, right)) &&
+    else if (!(why = lay_track(p, track)) && !(why = check_ends(p)) && !(why = check_tables(vehicle, left, right)) &&
              !(why = alignment_new(&p->alignment, track->curves, track->curve_x, track->curvature)) &&
              !(why = check_flats(&o->excitation, vehicle)) && !(why = excitation_new(&p->excitation, &o->excitation)) &&
-             !(why = way_new(&p->rails, track, vehicle->gravity, o->step, o->scheme)) &&
+             !(why = way_new(&p->rails, p->track, vehicle->gravity, o->step, o->scheme)) &&
              !(why = train_new(&p->train, vehicle, o->speed)))
         why = check_step(p);
     if (why)
@@ -130,7 +131,8 @@ void passage_free(struct passage *p)
     free(p->memory);
     free(p->couple);
     free(p->wheel);
-    free(p->sideways.y);
+    sideways_free(&p->sideways);
+    trk_free(&p->own);
     memset(p, 0, sizeof *p);
 }
 
@@ -139,6 +141,11 @@ void passage_free(struct passage *p)
 double passage_wheel_station(const struct passage *p, int64_t i)
 {
     return p->station + p->vehicle->cg[3 * p->vehicle->wheelset[i]];
+}
+
+struct wheel_place passage_place(const struct passage *p, int64_t i, int side)
+{
+    return p->follows ? follow_find(p->track->nodes, i) : way_find(&p->rails, side, passage_wheel_station(p, i));
 }
 
 void passage_wheel_input(const struct passage *p, int64_t i, int side, const struct wheel_place *place, struct way_rail *rail,
@@ -163,32 +170,6 @@ void passage_wheel_input(const struct passage *p, int64_t i, int side, const str
     in->line_slope = at.y_slope;
 }
 
-/* m y'' = Y - k y - c y', Y without what goes into the check rail; nothing where the rails do not yield.  Creep damps a rail
- * mass within a step, so the acceleration is that of the linear-implicit Euler scheme,
- *   (m + h (c + D) + h^2 k) y'' = Y(y, y') - k (y + h y') - c y',  D = -dY/dy' of small creepages,
- * of first order, which matters to nothing slower than a few steps. */
-static void accelerate_sideways(struct passage *p, int64_t k)
-{
-    const struct trk *t = p->track;
-    const struct wheel_output *w = &p->wheel[k];
-    struct sideways *s = &p->sideways;
-    const double h = p->o.step, stiffness = *t->lateral_k, damping = *t->lateral_c;
-
-    if (stiffness > 0)
-        s->a[k] = (w->Y - w->check - stiffness * (s->y[k] + h * s->v[k]) - damping * s->v[k]) /
-                  (*t->lateral_m + h * (damping + w->creep_damping) + h * h * stiffness);
-}
-
-static void move_sideways(struct passage *p)
-{
-    struct sideways *s = &p->sideways;
-
-    for (int64_t k = 0; k < 2 * p->vehicle->wheelsets; k++) {
-        s->v[k] += p->o.step * s->a[k];
-        s->y[k] += p->o.step * s->v[k];
-    }
-}
-
 const char *passage_forces(struct passage *p)
 {
     const char *why;
@@ -196,8 +177,7 @@ const char *passage_forces(struct passage *p)
     train_locate(&p->train, &p->alignment, p->station);
     if ((why = couple_wheels(p)))
         return why;
-    for (int64_t k = 0; k < 2 * p->vehicle->wheelsets; k++)
-        accelerate_sideways(p, k);
+    sideways_accelerate(&p->sideways, p->track, p->follows, p->o.step, p->wheel);
     way_finish(&p->rails);
     train_accelerate(&p->train, p->wheel);
     return NULL;
@@ -225,7 +205,7 @@ const char *passage_step(struct passage *p)
     train_keep(t, p->o.step);
     way_advance(&p->rails);
     two_step(t->dofs, p->o.step, t->q, t->v, t->a, t->before);
-    move_sideways(p);
+    sideways_move(&p->sideways, p->o.step);
     p->n++;
     p->time = (double)p->n * p->o.step;
     p->station = p->o.start + p->o.speed * p->time;

@@ -12,6 +12,8 @@
 #include "tools/integrate/couple.h"
 #include "tools/integrate/excitation.h"
 #include "tools/integrate/exciter.h"
+#include "tools/integrate/follow.h"
+#include "tools/integrate/sideways.h"
 #include "tools/integrate/train.h"
 #include "tools/integrate/way.h"
 #include "tools/integrate/wheel.h"
@@ -28,7 +30,9 @@ struct passage_options {
 
 struct passage {
     struct passage_options o;
-    const struct trk *track;
+    const struct trk *track;        /* own where it follows the train */
+    struct trk own;                 /* a moving mass under each wheelset */
+    int follows;
     const struct veh *vehicle;
     const struct ctab *table[2];    /* left, right */
     struct alignment alignment;
@@ -38,9 +42,7 @@ struct passage {
     struct wheel_memory *memory;    /* [wheelsets][2] */
     struct couple *couple;          /* [wheelsets][2] */
     struct wheel_output *wheel;     /* [wheelsets][2] */
-    struct sideways {               /* [wheelsets][2] of the rail under each wheel, to the right */
-        double *y, *v, *a;          /* m, m/s, m/s2 */
-    } sideways;
+    struct sideways sideways;
     double limit;                   /* s, of a stable step */
     int64_t n, steps;               /* done, and in all */
     int64_t rounds;                 /* of forces and rails, in all steps */
@@ -61,6 +63,9 @@ const char *passage_step(struct passage *p);
 
 /* m, of wheelset i */
 double passage_wheel_station(const struct passage *p, int64_t i);
+
+/* Where wheel (i, side) stands. */
+struct wheel_place passage_place(const struct passage *p, int64_t i, int side);
 
 /* What wheel (i, side) meets at the present state, standing at `place` on its rail; the rail as it is there. */
 void passage_wheel_input(const struct passage *p, int64_t i, int side, const struct wheel_place *place, struct way_rail *rail,

@@ -148,11 +148,18 @@ static void wheel_extremes_by_sleeper(struct record *r, const struct passage *p)
 
     for (int64_t k = 0; k < 2 * r->run.wheelsets; k++) {
         double s = p->station + r->wheelset_x[k / 2];
-        int64_t i = sleeper_near(p->track, s);
+        int64_t i = p->follows ? k / 2 : sleeper_near(p->track, s);
         double *Q = &r->extreme[RUN_SLEEPER_MAX_Q][k % 2 * n + i], *Y = &r->extreme[RUN_SLEEPER_MAX_Y][k % 2 * n + i];
         *Q = fmax(*Q, p->wheel[k].Q);
         *Y = fmax(*Y, fabs(p->wheel[k].Y));
     }
+}
+
+/* The rails of a moving mass do not bend. */
+static void find_moment(struct record *r, const struct passage *p, int rail)
+{
+    if (!p->follows)
+        way_moment(&p->rails, rail, r->moment);
 }
 
 static void track_extremes(struct record *r, const struct passage *p)
@@ -163,7 +170,7 @@ static void track_extremes(struct record *r, const struct passage *p)
     for (int s = 0; s < 2; s++) {
         keep_largest(n, w->pad[s], r->extreme[RUN_MAX_PAD] + s * n);
         keep_compression(n, w->seat[s], w->z, w->roll, w->arm[s], r->extreme[RUN_MAX_PAD_COMPRESSION] + s * n);
-        way_moment(w, s, r->moment);
+        find_moment(r, p, s);
         keep_magnitude(nodes, r->moment, r->extreme[RUN_MAX_NODE_M] + s * nodes);
     }
     for (int s = 0; s < 3; s++)
@@ -255,7 +262,7 @@ static void sample_track(struct record *r, const struct passage *p)
         put_floats(r, RUN_NODE_Z, s * nodes, nodes, w->w[s]);
         put_floats(r, RUN_NODE_A, s * nodes, nodes, w->wa[s]);
         if (r->recorded[RUN_NODE_M]) {
-            way_moment(w, s, r->moment);
+            find_moment(r, p, s);
             put_floats(r, RUN_NODE_M, s * nodes, nodes, r->moment);
         }
     }

@@ -19,6 +19,7 @@ struct rest {
     struct equilibrium track;
     double *f, *u;          /* [track dofs] */
     double *load;           /* N [wheels] */
+    double shift;           /* N, largest change of a lateral force since rails were put aside for it */
     int64_t n;              /* dofs that move: all of bodies that are not wheelsets */
     int64_t *free;          /* [n] their numbers */
     double *K;              /* [n][n] their stiffness */
@@ -35,9 +36,8 @@ static void track_loads(struct rest *r)
 
     memcpy(r->f, r->track.weight, (size_t)t->dofs * sizeof *r->f);
     for (int64_t k = 0; k < 2 * r->p->vehicle->wheelsets; k++) {
-        int64_t body = r->p->vehicle->wheelset[k / 2];
         int s = (int)(k % 2);
-        struct wheel_place at = way_find(&r->p->rails, s, r->p->station + r->p->vehicle->cg[3 * body]);
+        struct wheel_place at = passage_place(r->p, k / 2, s);
         for (int j = 0; j < 4; j++)
             r->f[t->node_dof[at.node + j / 2] + 2 * s + j % 2] += at.shape[j] * r->load[k];
     }
@@ -58,7 +58,7 @@ static const char *settle_track(struct rest *r)
 
 static void wheel_input(const struct passage *p, int64_t i, int side, struct wheel_input *in)
 {
-    const struct wheel_place place = way_find(&p->rails, side, passage_wheel_station(p, i));
+    const struct wheel_place place = passage_place(p, i, side);
     struct way_rail rail;
 
     passage_wheel_input(p, i, side, &place, &rail, in);
@@ -90,8 +90,10 @@ static const char *seek_height(struct rest *r, int64_t k, double *z)
         *(out.Q < load ? &low : &high) = in.z;
     }
     *z = in.z;
-    if (*p->track->lateral_k > 0)
+    if (*p->track->lateral_k > 0 && (!p->follows || *p->track->sleeper_lateral_k > 0)) { /* else both sides push on one mass */
+        r->shift = fmax(r->shift, fabs(out.Y - *p->track->lateral_k * p->sideways.y[k]));
         p->sideways.y[k] = out.Y / *p->track->lateral_k; /* the next round has it */
+    }
     return NULL;
 }
 
@@ -208,6 +210,7 @@ static const char *settle_wheels(struct rest *r)
 
     for (int64_t i = 0; i < r->p->vehicle->wheelsets && !why; i++)
         why = settle_spin(r, i);
+    r->shift = 0;
     return why ? why : settle_wheelsets(r);
 }
 
@@ -219,8 +222,10 @@ static const char *settle(struct rest *r)
 
     memcpy(r->load, v->wheel_load, (size_t)(2 * v->wheelsets) * sizeof *r->load);
     for (int i = 0; i < ROUNDS_MOST && change > LOAD_TOLERANCE && !why; i++)
-        if (!(why = settle_track(r)) && !(why = settle_wheels(r)) && !(why = settle_bodies(r)))
+        if (!(why = settle_track(r)) && !(why = settle_wheels(r)) && !(why = settle_bodies(r))) {
             share_loads(r, &change);
+            change = fmax(change, r->shift);
+        }
     if (!why && change > LOAD_TOLERANCE)
         why = reason("no static equilibrium found: wheel loads still change by %.3g N", change);
     return why;
