@@ -2,8 +2,7 @@
  *
  * In: a case (YAML), a track (.trk), a vehicle (.veh), contact tables of both sides (.ctab).  Out: a .run, written while
  * the train runs and renamed when it is complete.  Axes: x forward, y to the right, z down; forces are those of the wheel on the rail.
- * Method: explicit two-step integration of bodies, rails and sleepers; Hertz or linear contact, FASTSIM (integrate/passage.h).
- * Arrays read: all of the inputs.  Arrays written: run(5). */
+ * Method: integrate/passage.h, integrate/way.h.  Arrays read: all of the inputs.  Arrays written: run(5). */
 #include "formats/case_text.h"
 #include "formats/ctab.h"
 #include "tools/cli/cli.h"
@@ -244,6 +243,10 @@ static void account(const struct passage *p, double begun, double started, doubl
              p->o.step, p->limit, residual);
     cli_note("track %s, %lld degrees of freedom, %.2f rounds of forces a step: %s", p->rails.scheme == WAY_EXPLICIT ? "explicit" : "implicit",
              (long long)p->track->dofs, (double)p->rounds / (double)(p->steps + 1), p->rails.because);
+    if (p->energy.counted) {
+        double stored, lost, missing = energy_end(&p->energy, &p->rails, &stored, &lost);
+        cli_note("wheels' work on the track %.6g J: lost %.6g, stored %.6g, missing %.1e of the loss", p->energy.work, lost, stored, missing);
+    }
     cli_note("start %.3f s, passage %.3f s (%.2f us a step), peak memory %ld MB", started - begun, seconds() - started,
              1e6 * (seconds() - started) / (double)p->steps, used.ru_maxrss / 1024);
 }
@@ -272,6 +275,7 @@ int main(int argc, char **argv)
         o.exciter = &e;
     }
     cli_check("case", options_sampling(&in.text, &every));
+    o.account = opt.verbose && !o.exciter;
     cli_check("case", passage_new(&p, &o, &in.track, &in.vehicle, &in.table[0], &in.table[1]));
     cli_check("start", passage_start(&p, &residual));
     cli_check("run", record_new(&r, &p, in.text.channels.group, every));

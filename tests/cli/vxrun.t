@@ -35,6 +35,8 @@ vxrun --set step=5e-5 -v -o "$dir/c.run" "$plain" >"$dir/out" 2>"$dir/err"
 ok $? "-v tells steps and limit on standard error"
 grep -q '^vxrun: track explicit, 1200 degrees of freedom, 1.00 rounds of forces a step: lumped' "$dir/err"
 ok $? "and which scheme moves the track, and why"
+grep -q "^vxrun: wheels' work on the track [0-9.]* J: lost [0-9.]*, stored [-0-9.e]*, missing [0-9.]*e-0[4-9] of the loss" "$dir/err"
+ok $? "and the account of its energy"
 vxinfo --history "$dir/c.run" | grep -q 'vxrun --set step=5e-05 -v\|vxrun --set step=5e-5 -v'
 ok $? "--set is part of the history"
 records() { vxinfo "$1" | sed -n 's/^records *\([0-9]*\) .*/\1/p'; }

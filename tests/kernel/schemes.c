@@ -78,7 +78,7 @@ static void agree(double speed, const char *pad, const char *ballast, enum wheel
 {
     static struct history a, b;
     const char *const set[] = {pad, ballast};
-    struct case_dip dip = {1, 1, 1e-3};
+    struct case_dip dip = {1, 1, 1e-3, CASE_BOTH};
     struct fixture f;
     const char *why = set_up(&f, set, 2, RIG_WHEELSET);
     struct passage_options o = rig_options(-9.4, 9);
@@ -91,8 +91,8 @@ static void agree(double speed, const char *pad, const char *ballast, enum wheel
     if (!why && !(why = run(&f, o, WAY_EXPLICIT, &a)))
         why = run(&f, o, WAY_IMPLICIT, &b);
     const struct difference smooth = compare(&a, &b, 0.4);
-    o.dips = 1;
-    o.dip = &dip;
+    o.excitation.dips = 1;
+    o.excitation.dip = &dip;
     if (!why && !(why = run(&f, o, WAY_EXPLICIT, &a)))
         why = run(&f, o, WAY_IMPLICIT, &b);
     const struct difference over = compare(&a, &b, 0.4);
@@ -108,7 +108,7 @@ static void agree(double speed, const char *pad, const char *ballast, enum wheel
 static void separation(void)
 {
     static struct history a, b;
-    struct case_dip dip = {1, 1, 1.5e-3};
+    struct case_dip dip = {1, 1, 1.5e-3, CASE_BOTH};
     struct fixture f;
     struct difference d[2];
     const char *why = set_up(&f, NULL, 0, RIG_WHEELSET);
@@ -117,8 +117,8 @@ static void separation(void)
         struct passage_options o = rig_options(-9.4, 9);
         o.speed = 200 / 3.6;
         o.step = o.law.step = k ? 5e-5 : 1e-4;
-        o.dips = 1;
-        o.dip = &dip;
+        o.excitation.dips = 1;
+        o.excitation.dip = &dip;
         if (!why && !(why = run(&f, o, WAY_EXPLICIT, &a)))
             why = run(&f, o, WAY_IMPLICIT, &b);
         d[k] = compare(&a, &b, 0.4);
@@ -163,14 +163,14 @@ static const char *observed_order(struct fixture *f, struct passage_options o, d
 /* With Hertz's law, and with the damper of the linear one, whose local part is a backward difference of second order here. */
 static void order(const char *const *set, int sets, enum wheel_normal law)
 {
-    static const struct case_dip dip = {-2, 1.5, 0.3e-3};
+    static const struct case_dip dip = {-2, 1.5, 0.3e-3, CASE_BOTH};
     struct fixture f;
     const char *why = set_up(&f, set, sets, RIG_WHEELSET);
     struct passage_options o = rig_options(-4.5, -4.5 + 0.4 * 80 / 3.6);
     double order = 0, change = 0;
 
-    o.dips = 1;
-    o.dip = &dip;
+    o.excitation.dips = 1;
+    o.excitation.dip = &dip;
     o.law.normal = law;
     o.law.stiffness = 137e6;
     o.law.damping = 28e3;
@@ -178,6 +178,36 @@ static void order(const char *const *set, int sets, enum wheel_normal law)
         why = observed_order(&f, o, &order, &change);
     ok(!why && fabs(order - 2) < 0.1, "%s, %s: order %.3f in the step, halving 2e-4 s moves the wheelset by %.1e m rms%s%s", sets ? set[0] : "lumped",
        law == WHEEL_HERTZ ? "Hertz" : "linear", order, change, why ? ": " : "", why ? why : "");
+    tear_down(&f);
+}
+
+/* What the wheels do on the track's material is stored or lost, of the loss in the dampers but `most`. */
+static void energy(enum way_scheme scheme, const char *const *set, int sets, double depth, double most)
+{
+    struct case_dip dip = {-2, 1, depth, CASE_BOTH};
+    struct fixture f;
+    struct passage p;
+    const char *why = set_up(&f, set, sets, RIG_WHEELSET);
+    struct passage_options o = rig_options(-9.4, 9);
+    double residual, stored, lost;
+
+    o.scheme = scheme;
+    o.account = 1;
+    o.law.friction = 0.3;
+    o.excitation.dips = depth > 0;
+    o.excitation.dip = &dip;
+    if (why || (why = passage_new(&p, &o, &f.track, &f.vehicle, &f.table[0].ctab, &f.table[1].ctab))) {
+        ok(0, "energy: %s", why);
+        tear_down(&f);
+        return;
+    }
+    why = passage_start(&p, &residual);
+    while (!why && p.n < p.steps)
+        why = passage_step(&p);
+    const double off = energy_end(&p.energy, &p.rails, &stored, &lost);
+    ok(!why && p.energy.counted && lost > 0 && off < most, "%s, dip of %g mm: work %.4f J, stored %.4f, lost %.4f, off by %.1e of that%s%s",
+       scheme == WAY_EXPLICIT ? "explicit" : "implicit", 1e3 * depth, p.energy.work, stored, lost, off, why ? ": " : "", why ? why : "");
+    passage_free(&p);
     tear_down(&f);
 }
 
@@ -248,11 +278,11 @@ static void mesh(void)
                                          {"rail.mass_model=consistent", "rail.elements_per_bay=2"},
                                          {"rail.mass_model=consistent", "rail.elements_per_bay=8"}};
     struct passage_options o = rig_options(-9.4, 9);
-    struct case_dip dip = {1, 1, 1e-3};
+    struct case_dip dip = {1, 1, 1e-3, CASE_BOTH};
     const char *why = NULL;
 
-    o.dips = 1;
-    o.dip = &dip;
+    o.excitation.dips = 1;
+    o.excitation.dip = &dip;
     for (int k = 0; k < 3 && !why; k++) {
         struct fixture f;
         why = set_up(&f, set[k], 2, RIG_WHEELSET);
@@ -281,6 +311,11 @@ int main(void)
     order(NULL, 0, WHEEL_HERTZ);
     order(NULL, 0, WHEEL_LINEAR);
     order(fine, 2, WHEEL_HERTZ);
+    for (int dip = 0; dip < 2; dip++) {
+        energy(WAY_EXPLICIT, NULL, 0, dip * 1e-3, 1e-4);
+        energy(WAY_IMPLICIT, NULL, 0, dip * 1e-3, 1e-8);
+        energy(WAY_IMPLICIT, fine, 2, dip * 1e-3, 1e-8);
+    }
     rest(longer, 3);
     rest(shear, 5);
     mirror();

@@ -107,9 +107,9 @@ static void moving_oscillator(const struct trk *t, const struct veh *v, struct r
     o.law.stiffness = 137e6;
     o.law.damping = 28e3;
     for (int k = 0; k < all; k++)
-        dip[k] = (struct case_dip){-9 + k * L, L, 2 * amplitude};
-    o.dips = all;
-    o.dip = dip;
+        dip[k] = (struct case_dip){-9 + k * L, L, 2 * amplitude, CASE_BOTH};
+    o.excitation.dips = all;
+    o.excitation.dip = dip;
     o.end = -9 + all * L;
     const double from = o.end - last * L;
     const char *why = passage_new(&p, &o, t, v, &table[0].ctab, &table[1].ctab);

@@ -142,6 +142,8 @@ static void remember(struct passage *p)
         struct wheel_memory *memory = &p->memory[k];
         memory->before = memory->local;
         memory->local = c->rail.give > 0 ? c->rail.local * c->Q : c->approach.d;
+        if (p->o.account && p->n > 0)
+            energy_work(&p->energy, &p->rails, (int)(k % 2), &c->left, c->last, &c->place, p->wheel[k].Q);
         c->before = c->last;
         c->last = p->wheel[k].Q;
     }
@@ -154,6 +156,7 @@ const char *couple_wheels(struct passage *p)
     int64_t at = 0;
 
     for (int64_t k = 0; k < wheels(p); k++) {
+        p->couple[k].left = p->couple[k].place;
         p->couple[k].place = passage_place(p, k / 2, (int)(k % 2));
         p->couple[k].applied = 0;
     }

@@ -9,7 +9,7 @@ struct passage;
 
 /* A wheel on its rail in this step. */
 struct couple {
-    struct wheel_place place;
+    struct wheel_place place, left;     /* now, and a step before */
     struct way_rail rail;
     struct wheel_input in;
     struct wheel_approach approach;

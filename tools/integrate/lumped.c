@@ -180,6 +180,18 @@ void lumped_set(struct lumped *l, const double *u)
             l->u[part * l->stride + i] = u[t->sleeper_dof[i] + part - LUMPED_Z];
 }
 
+void lumped_state(const struct lumped *l, const double *state, double *x)
+{
+    const struct trk *t = l->track;
+
+    for (int64_t i = 0; i < t->nodes; i++)
+        for (int part = LUMPED_WL; part <= LUMPED_TR; part++)
+            x[t->node_dof[i] + part] = state[part * l->stride + i];
+    for (int64_t i = 0; i < t->sleepers; i++)
+        for (int part = LUMPED_Z; part <= LUMPED_ROLL; part++)
+            x[t->sleeper_dof[i] + part - LUMPED_Z] = state[part * l->stride + i];
+}
+
 /* ---- accelerations ---- */
 
 /* End forces of the elements, with the elongation w1 - w2 and the pitches t1, t2 (K of beam.h):

@@ -36,6 +36,9 @@ void lumped_free(struct lumped *l);
 /* At rest with u [dofs of the track] m and rad, in the order of that. */
 void lumped_set(struct lumped *l, const double *u);
 
+/* The state u or v, as x [dofs of the track]. */
+void lumped_state(const struct lumped *l, const double *state, double *x);
+
 /* Accelerations a, pad and ballast forces from u and v, without wheels. */
 void lumped_accelerate(struct lumped *l);
 

@@ -86,7 +86,7 @@ static void set_weight(struct newmark *m, double gravity)
     double *e = m->displaced;
 
     for (int64_t i = 0; i < t->nodes; i++)
-        e[t->node_dof[i]] = e[t->node_dof[i] + 2] = gravity;
+        e[trk_rail_dof(t, TRK_LEFT, i)] = e[trk_rail_dof(t, TRK_RIGHT, i)] = gravity;
     for (int64_t i = 0; i < t->sleepers; i++)
         e[t->sleeper_dof[i]] = gravity;
     banded_multiply(&m->M, e, m->weight);
@@ -125,9 +125,10 @@ static int element_span(const struct trk *t)
 {
     int64_t most = 0;
 
-    for (int64_t i = 0; i + 1 < t->nodes; i++)
-        if (t->node_dof[i + 1] + 3 - t->node_dof[i] > most)
-            most = t->node_dof[i + 1] + 3 - t->node_dof[i];
+    for (int64_t i = 0; i + 1 < t->nodes; i++) {
+        int64_t span = trk_rail_dof(t, TRK_RIGHT, i + 1) + 1 - t->node_dof[i];
+        most = span > most ? span : most;
+    }
     return (int)most;
 }
 
@@ -204,7 +205,7 @@ void newmark_advance(struct newmark *m)
 
 static int64_t first_dof(const struct newmark *m, int rail, int64_t node)
 {
-    return m->track->node_dof[node] + 2 * rail;
+    return trk_rail_dof(m->track, rail, node);
 }
 
 void newmark_load(struct newmark *m, int rail, const struct wheel_place *p, double F)
@@ -309,6 +310,29 @@ void newmark_finish(struct newmark *m)
     show_sleepers(m);
 }
 
+/* c e^2/h, e the extension of the step. */
+void newmark_lose(const struct newmark *m, double *lost)
+{
+    const struct trk *t = m->track;
+    const int64_t n = t->sleepers;
+
+    for (int64_t i = 0; i < n; i++) {
+        const int64_t k = t->sleeper_dof[i];
+        const double z = m->u[k] - m->u0[k], r = m->u[k + 1] - m->u0[k + 1];
+        double sum = 0;
+        for (int s = 0; s < 2; s++) {
+            const int64_t w = first_dof(m, s, t->sleeper_node[i]);
+            const double e = m->u[w] - m->u0[w] - z - m->arm[s][i] * r;
+            sum += t->pad_c[s * n + i] * e * e;
+        }
+        for (int s = 0; s < TRK_BALLAST; s++) {
+            const double e = z + t->ballast_y[s * n + i] * r;
+            sum += t->ballast_c[s * n + i] * e * e;
+        }
+        lost[i] += sum / m->h;
+    }
+}
+
 /* M = -EI w'' is positive where the rail sags: near = EI w'', far = -EI w''.  The elements behind a node and ahead of it differ by the
  * inertia of the node and of their own: the mean is taken. */
 void newmark_moment(const struct newmark *m, int rail, double *moment)
@@ -331,11 +355,16 @@ double newmark_sample(const struct newmark *m, int rail, const struct wheel_plac
     return f[0] * near[0] + f[1] * near[1] + f[2] * far[0] + f[3] * far[1];
 }
 
+double newmark_moved(const struct newmark *m, int rail, const struct wheel_place *p, const double f[4])
+{
+    return newmark_sample(m, rail, p, f, m->u) - newmark_sample(m, rail, p, f, m->u0);
+}
+
 double newmark_rate(const struct newmark *m, int rail, const struct wheel_place *p, const double f[4])
 {
     const double v0 = newmark_sample(m, rail, p, f, m->v);
 
-    return m->solved ? 2 / m->h * (newmark_sample(m, rail, p, f, m->u) - newmark_sample(m, rail, p, f, m->u0)) - v0 : v0;
+    return m->solved ? 2 / m->h * newmark_moved(m, rail, p, f) - v0 : v0;
 }
 
 double newmark_give(const struct newmark *m, const struct wheel_place *p, int to, const double f[4], int from)

@@ -113,7 +113,7 @@ const char *passage_new(struct passage *p, const struct passage_options *o, cons
              !(why = alignment_new(&p->alignment, track->curves, track->curve_x, track->curvature)) &&
              !(why = check_flats(&o->excitation, vehicle)) && !(why = excitation_new(&p->excitation, &o->excitation)) &&
              !(why = way_new(&p->rails, p->track, vehicle->gravity, o->step, o->scheme)) &&
-             !(why = train_new(&p->train, vehicle, o->speed)))
+             (!o->account || !(why = energy_new(&p->energy, &p->rails))) && !(why = train_new(&p->train, vehicle, o->speed)))
         why = check_step(p);
     if (why)
         passage_free(p);
@@ -127,6 +127,7 @@ void passage_free(struct passage *p)
     alignment_free(&p->alignment);
     excitation_free(&p->excitation);
     way_free(&p->rails);
+    energy_free(&p->energy);
     train_free(&p->train);
     free(p->memory);
     free(p->couple);
@@ -179,6 +180,8 @@ const char *passage_forces(struct passage *p)
         return why;
     sideways_accelerate(&p->sideways, p->track, p->follows, p->o.step, p->wheel);
     way_finish(&p->rails);
+    if (p->o.account && p->n > 0)
+        energy_lose(&p->energy, &p->rails);
     train_accelerate(&p->train, p->wheel);
     return NULL;
 }

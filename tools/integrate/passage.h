@@ -10,6 +10,7 @@
 #include "formats/case_text.h"
 #include "tools/integrate/alignment.h"
 #include "tools/integrate/couple.h"
+#include "tools/integrate/energy.h"
 #include "tools/integrate/excitation.h"
 #include "tools/integrate/exciter.h"
 #include "tools/integrate/follow.h"
@@ -23,6 +24,7 @@ struct passage_options {
     double start, end;              /* m, stations of the front wheelset */
     double step;                    /* s */
     enum way_scheme scheme;         /* of the track */
+    int account;                    /* whether its energy is accounted for */
     struct wheel_law law;
     struct excitation_options excitation;
     const struct exciter *exciter;  /* NULL, or a prescribed force on the track: it sets the number of steps */
@@ -40,6 +42,7 @@ struct passage {
     struct way rails;
     struct train train;
     struct wheel_memory *memory;    /* [wheelsets][2] */
+    struct energy energy;           /* of the track */
     struct couple *couple;          /* [wheelsets][2] */
     struct wheel_output *wheel;     /* [wheelsets][2] */
     struct sideways sideways;

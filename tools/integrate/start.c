@@ -271,6 +271,8 @@ static const char *begin(struct passage *p, double *residual)
         p->memory[k].before = p->memory[k].local;
         p->couple[k].before = p->couple[k].last;
     }
+    if (p->o.account)
+        energy_begin(&p->energy, &p->rails);
     memcpy(p->train.before, p->train.a, (size_t)p->train.dofs * sizeof *p->train.a);
     return NULL;
 }

@@ -88,7 +88,9 @@ const char *way_new(struct way *w, const struct trk *t, double gravity, double s
 {
     const char *why;
 
-    *w = (struct way){.scheme = scheme, .because = "the case asks for it", .track = t, .step = step, .limit = HUGE_VAL, .at_rest = 1};
+    *w = (struct way){.scheme = scheme, .because = "the case asks for it", .track = t, .gravity = gravity, .step = step, .limit = HUGE_VAL, .at_rest = 1};
+    if (trk_is_spatial(t))
+        return "wheels do not move the rails of a spatial track sideways yet: a run wants dofs: vertical";
     why = scheme == WAY_AUTO ? choose(w, gravity) : scheme == WAY_EXPLICIT ? begin_explicit(w, gravity) : begin_implicit(w, gravity);
     if (why)
         way_free(w);
@@ -114,6 +116,17 @@ void way_set(struct way *w, const double *u)
     else
         newmark_set(&w->newmark, u);
     w->at_rest = 1;
+}
+
+void way_state(const struct way *w, double *u, double *v)
+{
+    if (is_explicit(w)) {
+        lumped_state(&w->lumped, w->lumped.u, u);
+        lumped_state(&w->lumped, w->lumped.v, v);
+    } else {
+        memcpy(u, w->newmark.u, (size_t)w->track->dofs * sizeof *u);
+        memcpy(v, w->newmark.v, (size_t)w->track->dofs * sizeof *v);
+    }
 }
 
 static void advance_lumped(struct way *w)

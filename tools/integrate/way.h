@@ -21,7 +21,7 @@ struct way {
     enum way_scheme scheme;             /* the one that moves it: explicit or implicit */
     char because[160];                  /* why */
     const struct trk *track;            /* must outlive this */
-    double step;                        /* s */
+    double gravity, step;               /* m/s2, s */
     double limit;                       /* s, of a stable step; HUGE_VAL */
     int at_rest;                        /* not moved yet: the state is what way_set gave */
     struct lumped lumped;               /* the one, */
@@ -50,6 +50,9 @@ void way_free(struct way *w);
 
 /* At rest with u [dofs] m and rad, in the order of t. */
 void way_set(struct way *w, const double *u);
+
+/* u, v [dofs] m and rad, m/s and rad/s, in the order of the track. */
+void way_state(const struct way *w, double *u, double *v);
 
 /* One step on, without wheels. */
 void way_advance(struct way *w);
