@@ -1,4 +1,4 @@
-/* Twins of a mirrored coupling, NAME-r and NAME-l, share a number.  Notes stand aside of symbols by themselves. */
+/* Couplings at one place and its mirror image share a number.  Notes stand aside of symbols by themselves. */
 #include "tools/draw/vehicle.h"
 
 #include <math.h>
@@ -15,12 +15,12 @@ static const double type = 0.62;                            /* of a chart's, for
 static const double symbol = 0.025, least = 0.2, most = 0.3;  /* of the width of the drawing, within these m */
 static const double below = 0.15, beside = 0.2;             /* m, shown below the rails and around the boxes */
 static const double close_by = 1e-3;                        /* m, couplings with one note */
-enum { KEY_ROWS = 11, KEY_COLUMNS = 2 };
+enum { KEY_ROWS = 11, KEY_COLUMNS = 2, NARROW = 34 };      /* NARROW: bytes of names where there are two columns */
 
 struct drawing {
     const struct veh *v;
     double from, to;          /* m, shown along x */
-    int *number;              /* [couplings] from 1, shared by twins */
+    int *number;              /* [couplings] of their place, from 1; 0 outside the window */
     int numbers;
 };
 
@@ -36,17 +36,24 @@ static size_t stem(const char *name)
     return n > 2 && (!strcmp(name + n - 2, "-r") || !strcmp(name + n - 2, "-l")) ? n - 2 : n;
 }
 
-static int is_twin(const struct veh *v, int64_t a, int64_t b)
+/* The same place but for its side. */
+static int share_place(const struct veh *v, int64_t a, int64_t b)
 {
-    const char *one = v->coupling_name[a], *other = v->coupling_name[b];
-    return stem(one) < strlen(one) && stem(one) == stem(other) && !strncmp(one, other, stem(one));
+    const double *p = &v->point[3 * a], *q = &v->point[3 * b];
+    return fabs(p[0] - q[0]) + fabs(fabs(p[1]) - fabs(q[1])) + fabs(p[2] - q[2]) < close_by;
 }
 
-static void number_couplings(struct drawing *d)
+static void number_places(struct drawing *d)
 {
-    for (int64_t k = 0; k < d->v->couplings; k++)
-        if (inside(d, d->v->point[3 * k]))
-            d->number[k] = k > 0 && d->number[k - 1] && is_twin(d->v, k - 1, k) ? d->numbers : ++d->numbers;
+    for (int64_t k = 0; k < d->v->couplings; k++) {
+        if (!inside(d, d->v->point[3 * k]))
+            continue;
+        for (int64_t j = 0; j < k && !d->number[k]; j++)
+            if (d->number[j] && share_place(d->v, j, k))
+                d->number[k] = d->number[j];
+        if (!d->number[k])
+            d->number[k] = ++d->numbers;
+    }
 }
 
 /* The boxes of bodies in the window, in each axis. */
@@ -85,7 +92,7 @@ static void set_limits(struct chart *c, struct chart_panel *p, enum view view, c
     p->y.hi = fmax(least_xy[1], most_xy[1]);
 }
 
-/* "1 2 5": the numbers of the couplings here in this view, each once; written at the first of them. */
+/* "1 2 5": the numbers of the places here in this view, each once; written at the first of them. */
 static void note_numbers(struct chart *c, struct chart_panel *p, enum view view, const struct drawing *d, int64_t k)
 {
     const struct veh *v = d->v;
@@ -100,9 +107,10 @@ static void note_numbers(struct chart *c, struct chart_panel *p, enum view view,
             continue;
         if (j < k)
             return;
-        if (d->number[j] != last && strlen(words) < sizeof words - 16)
+        if (d->number[j] > last && strlen(words) < sizeof words - 16) {
             snprintf(words + strlen(words), 16, "%s%d", *words ? " " : "", d->number[j]);
-        last = d->number[j];
+            last = d->number[j];
+        }
     }
     chart_add_note(c, p, here[0], here[1], chart_words(c, "%s", words))->colour = CHART_WINE;
 }
@@ -149,19 +157,36 @@ static void add_view(struct chart *c, enum view view, const struct drawing *d)
         }
 }
 
-/* Number, name, bodies and place of a coupling, its y with both signs where it has a twin. */
-static const char *describe(struct chart *c, const struct drawing *d, int64_t k)
+/* Names of the couplings at the place of k, each once, and whether they lie on both sides. */
+static void list_names(const struct drawing *d, int64_t k, char *words, size_t size, int *both)
 {
     const struct veh *v = d->v;
-    const double *at = &v->point[3 * k];
-    const int twin = k + 1 < v->couplings && d->number[k + 1] == d->number[k];
+    size_t n = 0;
 
-    if (d->numbers > KEY_ROWS)
-        return chart_words(c, "%d %.*s at %.4g, %s%.4g, %.4g", d->number[k], (int)stem(v->coupling_name[k]), v->coupling_name[k], at[0],
-                           twin ? "±" : "", twin ? fabs(at[1]) : at[1], -at[2]);
-    return chart_words(c, "%d  %.*s, %s to %s, at %.5g, %s%.5g, height %.5g m", d->number[k],
-                       (int)(twin ? stem(v->coupling_name[k]) : strlen(v->coupling_name[k])), v->coupling_name[k],
-                       v->body_name[v->ends[2 * k]], v->body_name[v->ends[2 * k + 1]], at[0], twin ? "±" : "", twin ? fabs(at[1]) : at[1], -at[2]);
+    *both = 0;
+    for (int64_t j = k; j < v->couplings; j++) {
+        const char *name = v->coupling_name[j];
+        if (d->number[j] != d->number[k])
+            continue;
+        const int twin = j > 0 && d->number[j - 1] == d->number[j] && stem(name) < strlen(name) && stem(v->coupling_name[j - 1]) == stem(name) &&
+                         !strncmp(v->coupling_name[j - 1], name, stem(name));
+        *both |= v->point[3 * j + 1] * v->point[3 * k + 1] < 0;
+        if (!twin && n < size)
+            n += (size_t)snprintf(words + n, size - n, "%s%.*s", n ? ", " : "", (int)stem(name), name);
+    }
+}
+
+/* Number of a place, the couplings there, their x, y and height. */
+static const char *describe(struct chart *c, const struct drawing *d, int64_t k)
+{
+    const double *at = &d->v->point[3 * k];
+    const int one_column = d->numbers <= KEY_ROWS;
+    char names[72];
+    int both;
+
+    list_names(d, k, names, one_column ? sizeof names : NARROW, &both);
+    return chart_words(c, "%d  %s at %.5g, %s%.5g, %s%.5g%s", d->number[k], names, at[0], both ? "±" : "", both ? fabs(at[1]) : at[1],
+                       one_column ? "height " : "", -at[2], one_column ? " m" : "");
 }
 
 static void add_key(struct chart *c, const struct drawing *d)
@@ -175,7 +200,7 @@ static void add_key(struct chart *c, const struct drawing *d)
     p->y.down = 1;
     for (int64_t k = 0; k < d->v->couplings; k++) {
         const int n = d->number[k] - 1;
-        if (d->number[k] == last || n < 0 || n >= KEY_ROWS * KEY_COLUMNS)
+        if (d->number[k] <= last || n >= KEY_ROWS * KEY_COLUMNS)
             continue;
         last = d->number[k];
         struct chart_note *note = chart_add_note(c, p, n < KEY_ROWS ? 0 : 0.5, (n % KEY_ROWS + 0.5) / (KEY_ROWS + 1), describe(c, d, k));
@@ -201,7 +226,7 @@ const char *vehicle_chart(struct chart *c, const struct veh *v, double from, dou
         free(d.number);
         return reason("no body between %g and %g m", d.from, d.to);
     }
-    number_couplings(&d);
+    number_places(&d);
     c->title = chart_words(c, "%s, from the right, from above and from behind; boxes have the mass and the inertias of the bodies", v->name);
     add_view(c, VIEW_SIDE, &d);
     for (enum view view = VIEW_TOP; view < VIEWS; view++)
