@@ -189,6 +189,70 @@ length=-3|length must be greater than 0
 length=152.5|length: 152.5 m is not a whole number, two or more, of sleeper spacings
 EOF
 
+# Nonsense in a spatial track: the same turnout with dofs: spatial.  KEY=VALUE | what the line must hold
+while IFS='|' read -r set word; do
+	refuses 1 "$word" "refused, spatial: $set" $bin/vxtrack --set dofs=spatial --set "$set" $turnout
+done <<'EOF'
+rail.lateral_bending_stiffness=0|lateral_bending_stiffness must be greater than 0
+rail.left.lateral_bending_stiffness={station: [0, 1], value: [1e6, -1e6]}|lateral_bending_stiffness must be greater than 0
+rail.yaw_inertia=-1|yaw_inertia must be greater than 0
+rail.torsional_stiffness=0|torsional_stiffness must be greater than 0
+rail.polar_inertia=0|polar_inertia must be greater than 0
+rail.head_height=-0.1|head_height must be greater than 0
+rail.foot_depth=2|foot_depth must be greater than 0 and at most 1
+rail.lateral_shear_stiffness=0|lateral_shear_stiffness must be greater than 0
+rail.lateral_rotary_inertia=0|lateral_rotary_inertia must be greater than 0
+sleeper.yaw_inertia=0|yaw_inertia must be greater than 0
+sleeper.seat_height=-0.1|seat_height must be at least 0
+railpad.lateral_stiffness=-25e6|lateral_stiffness must be greater than 0
+railpad.lateral_damping=-1|lateral_damping must be at least 0
+railpad.width=0|width must be greater than 0
+railpad.length=-0.1|length must be at least 0
+ballast.lateral_stiffness=0|lateral_stiffness must be greater than 0
+ballast.lateral_damping=-1|lateral_damping must be at least 0
+ballast.longitudinal_stiffness=0|longitudinal_stiffness must be greater than 0
+ballast.longitudinal_damping=-1|longitudinal_damping must be at least 0
+zone.1.railpad.lateral_stiffness=-1|lateral_stiffness must be greater than 0
+zone.1.railpad.lateral_damping=-1|lateral_damping must be greater than 0
+check_rail.1.beam.to=43.2|check_rail.1.beam.to: 43.2 must be beyond the 43.2 of from
+check_rail.1.beam.from=50|check_rail.1.beam.from: between 50 and 50.4 m stand fewer than two sleepers
+check_rail.1.beam.side=3|check_rail.1.beam.side: 3.[0-9]* m beside the middle of sleeper
+check_rail.1.beam.mass=0|mass must be greater than 0
+check_rail.1.beam.stiffness=-1|stiffness must be greater than 0
+check_rail.1.beam.lateral_damping=-1|lateral_damping must be greater than 0
+model=moving_mass|dofs: spatial is not for model: moving_mass
+dofs=lateral|dofs must be one of vertical, spatial
+EOF
+
+# What a spatial track needs, one key after the other taken away.
+for key in lateral_bending_stiffness yaw_inertia torsional_stiffness polar_inertia head_height foot_depth lateral_stiffness lateral_damping \
+	width longitudinal_stiffness longitudinal_damping; do
+	sed "/^    $key:/d" $track >"$tmp/less.yaml"
+	refuses 1 "$key: dofs: spatial needs it" "spatial without $key" $bin/vxtrack --set dofs=spatial "$tmp/less.yaml"
+done
+sed '/lateral_shear_stiffness/d' $track >"$tmp/less.yaml"
+refuses 1 "rail.lateral_shear_stiffness: dofs: spatial needs it" "a spatial Timoshenko rail without lateral shear stiffness" \
+	$bin/vxtrack --set dofs=spatial --set rail.beam=timoshenko "$tmp/less.yaml"
+
+# The spatial turnout goes through receptance, modes, statics and stiffness; a vertical track does not move sideways.
+$bin/vxtrack --set dofs=spatial -o "$tmp/s.trk" $turnout && $bin/vxinfo "$tmp/s.trk" >"$tmp/info" && grep -q 'A.p  *i64  *3617 ' "$tmp/info" &&
+	grep -q 'check.node  *i64  *12 ' "$tmp/info" && grep -q '^DOFS= spatial' "$tmp/info"
+ok $? "the spatial turnout builds, its check rail over twelve sleepers, with 3616 degrees of freedom"
+$bin/vxfreq --static --load 1000 "$tmp/s.trk" | grep -q '^seat force' && $bin/vxfreq --stiffness --every 10 "$tmp/s.trk" >"$tmp/out" &&
+	$bin/vxfreq --modes 4 --near 113 --text "$tmp/s.trk" | grep -q 'lateral'
+ok $? "statics, stiffness and modes, which are named by kind"
+$bin/vxtrack --set dofs=spatial -o "$tmp/s.trk" $track
+peak() { $bin/vxfreq --receptance --excite left --peaks --direction lateral "$@" "$tmp/s.trk"; }
+peak --to 200 | awk '/^peak/ { exit !($2 > 112.2 && $2 < 114.2 && $3 > 1.0e-7 && $3 < 1.04e-7) }'
+ok $? "sideways a rail of the straight track peaks at 113 Hz with 1.02e-7 m/N"
+peak --at midspan --from 380 --to 420 | awk '/^peak/ && $2 > 395 && $2 < 398 { good = 1 } END { exit !good }'
+ok $? "and between sleepers at 396 Hz, pinned-pinned: sqrt(4 EI/(L I))/2 pi = 397 Hz"
+$bin/vxfreq --receptance --direction lateral --motion-direction vertical --excite left "$tmp/s.trk" >"$tmp/out" &&
+	$bin/vxinfo "$tmp/out" | grep -q '^FORCE_DIRECTION= lateral' && $bin/vxinfo "$tmp/out" | grep -q '^MOTION_DIRECTION= vertical'
+ok $? "force and motion have a direction each"
+refuses 2 "lateral wants one of dofs: spatial" "a vertical track pushed sideways" $bin/vxfreq --receptance --direction lateral "$tmp/a.trk"
+refuses 2 "go with --receptance" "a direction of modes" $bin/vxfreq --modes 2 --direction lateral "$tmp/s.trk"
+
 # The same in a file: the place of it too.  s/FROM/TO/ | what the line must hold after the name of the file, LINE the first that is edited
 while IFS='|' read -r edit word; do
 	sed "$edit" $turnout >"$tmp/bad.yaml"

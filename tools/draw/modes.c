@@ -78,8 +78,8 @@ static void add_mode(struct chart *c, const struct mod *m, const struct trk *t, 
     const double aside = trk_is_spatial(t) ? largest_of(t, shape, &SIDEWAYS) : 0;
     const struct direction *d = fabs(aside) > fabs(down) ? &SIDEWAYS : &DOWN;
     const double most = d == &DOWN ? down : aside, largest = most == 0 ? 1 : most;
-    const char *name = trk_is_spatial(t) ? m->name[mode] : "";
-    struct chart_panel *p = chart_add_panel(c, chart_words(c, *name ? "%.2f Hz %s" : "%.2f Hz%s", m->frequency[mode], name), 1);
+    const char *which = !trk_is_spatial(t) ? "" : d == &DOWN ? ", z" : ", y";
+    struct chart_panel *p = chart_add_panel(c, chart_words(c, "%.2f Hz%s", m->frequency[mode], which), 1);
 
     p->y.down = 1;
     add_rail(c, p, t, shape, TRK_LEFT, d, largest);
