@@ -21,20 +21,20 @@
 
 #include <math.h>
 
-#include "tools/vehicle/friction.h"
-#include "tools/vehicle/maxwell.h"
+#include "tools/vehicle/law.h"
 #include "tools/vehicle/table.h"
 
 struct end {
-    double turn[3], rate[3];    /* roll, pitch, yaw rad and rad/s, as the coupling sees them */
-    double u[3], ud[3];         /* m, m/s displacement of the end */
+    double d[3];                /* m from the centre of gravity to the end at rest */
+    double turn[3];             /* roll, pitch, yaw rad, as the coupling sees them */
+    double u[3];                /* m displacement of the end */
     double arm[3];              /* m from the displaced centre of gravity to the displaced end */
 };
 
 /* Both ends, and what the law needs of them. */
 struct pair {
     struct end A, B;
-    double e[3], ed[3];         /* m, m/s end of B less that of A */
+    double e[3], ed[3];         /* m, m/s end of B less that of A; rates where it is damped, else 0 */
     double turn[3], rate[3];    /* rad, rad/s of B less A */
     double share[3], m[3];      /* of A in the mean turn, and that turn */
 };
@@ -52,41 +52,66 @@ static double dot(const double a[3], const double b[3])
     return a[0]*b[0] + a[1]*b[1] + a[2]*b[2];
 }
 
-static void end_move(const struct veh *v, int64_t c, int which, const double *q, const double *qd, struct end *p)
+/* Whether its force depends on rates: most springs, stops and frictions are spared them. */
+static int is_damped(const struct veh *v, int64_t c)
+{
+    const double *d = &v->damping[VEH_DOFS*c];
+
+    return v->type[c] == VEH_DAMPER || d[0] + d[1] + d[2] + d[3] + d[4] + d[5] > 0;
+}
+
+static inline void end_move(const struct veh *v, int64_t c, int which, const double *q, struct end *p)
 {
     int64_t body = v->ends[2*c + which];
     const double *at = which ? &v->end[3*c] : &v->point[3*c];
-    double d[3], ud[3];
 
     q += VEH_DOFS*body;
-    qd += VEH_DOFS*body;
     for (int k = 0; k < 3; k++) {
-        d[k] = at[k] - v->cg[3*body + k];
+        p->d[k] = at[k] - v->cg[3*body + k];
         p->turn[k] = q[VEH_ROLL + k];
-        p->rate[k] = qd[VEH_ROLL + k];
     }
     if (v->bearing[c] == which)
-        p->turn[1] = p->rate[1] = 0;
-    cross(p->turn, d, p->arm);
-    cross(p->rate, d, ud);
+        p->turn[1] = 0;
+    cross(p->turn, p->d, p->arm);
     for (int k = 0; k < 3; k++) {
         p->u[k] = q[k] + p->arm[k];
-        p->ud[k] = qd[k] + ud[k];
-        p->arm[k] += d[k];
+        p->arm[k] += p->d[k];
     }
 }
 
-static void pair_move(const struct veh *v, int64_t c, const double *q, const double *qd, struct pair *p)
+/* Rate of the end's displacement, and of its turn. */
+static inline void end_rate(const struct veh *v, int64_t c, int which, const double *qd, const struct end *p, double ud[3], double rate[3])
 {
-    end_move(v, c, 0, q, qd, &p->A);
-    end_move(v, c, 1, q, qd, &p->B);
+    qd += VEH_DOFS*v->ends[2*c + which];
+    for (int k = 0; k < 3; k++)
+        rate[k] = qd[VEH_ROLL + k];
+    if (v->bearing[c] == which)
+        rate[1] = 0;
+    cross(rate, p->d, ud);
+    for (int k = 0; k < 3; k++)
+        ud[k] += qd[k];
+}
+
+static inline void pair_move(const struct veh *v, int64_t c, const double *q, const double *qd, struct pair *p)
+{
+    double ud[2][3], rate[2][3];
+
+    end_move(v, c, 0, q, &p->A);
+    end_move(v, c, 1, q, &p->B);
     for (int k = 0; k < 3; k++) {
         p->share[k] = k != 1 || v->bearing[c] < 0 ? 0.5 : (double)v->bearing[c];
         p->e[k] = p->B.u[k] - p->A.u[k];
-        p->ed[k] = p->B.ud[k] - p->A.ud[k];
         p->turn[k] = p->B.turn[k] - p->A.turn[k];
-        p->rate[k] = p->B.rate[k] - p->A.rate[k];
         p->m[k] = p->share[k]*p->A.turn[k] + (1 - p->share[k])*p->B.turn[k];
+        p->ed[k] = p->rate[k] = 0;
+    }
+    if (!is_damped(v, c))
+        return;
+    end_rate(v, c, 0, qd, &p->A, ud[0], rate[0]);
+    end_rate(v, c, 1, qd, &p->B, ud[1], rate[1]);
+    for (int k = 0; k < 3; k++) {
+        p->ed[k] = ud[1][k] - ud[0][k];
+        p->rate[k] = rate[1][k] - rate[0][k];
     }
 }
 
@@ -94,88 +119,6 @@ double couplings_stop(const struct veh *v, int64_t c, double e)
 {
     int64_t k = v->knot_first[c];
     return table_odd(v->knot_first[c + 1] - k, v->knot_at + k, v->knot_force + k, e);
-}
-
-/* ---- laws: force on the second body ---- */
-
-/* Beyond that at rest. */
-static double spring_force(const struct veh *v, int64_t c, double e)
-{
-    int64_t k = v->knot_first[c];
-    return v->preload[3*c + v->axis[c]] - table_at(v->knot_first[c + 1] - k, v->knot_at + k, v->knot_force + k, v->rest[c] + e);
-}
-
-/* From elongation e0 and force F0 before the step to e, at the rate ed. */
-static double damper_force(const struct veh *v, int64_t c, double step, double e0, double F0, double e, double ed)
-{
-    int64_t k = v->knot_first[c], n = v->knot_first[c + 1] - k;
-    const double *rate = v->knot_at + k, *force = v->knot_force + k;
-
-    if (v->series[c] == 0)
-        return -table_odd(n, rate, force, ed);
-    if (step == 0)
-        return 0;
-    return -maxwell_step(-F0, e - e0, step, v->series[c], n, rate, force);
-}
-
-/* Normal force: its own and a share of that of its spring, as far as that pushes the way it does at rest. */
-static double friction_load(const struct veh *v, int64_t c, const struct couplings_state *now)
-{
-    int64_t s = v->spring[c];
-
-    if (s < 0)
-        return v->load[c];
-    double p = v->preload[3*s + VEH_Z], push = now ? copysign(1, -p)*now[s].F[VEH_Z] : fabs(p);
-    return v->load[c] + v->share[c]*fmax(push, 0);
-}
-
-/* F[3] in: that before, out: that after e has grown from `from`. */
-static void slide(const struct veh *v, int64_t c, const struct couplings_state *now, const double from[3], const double e[3], double F[3])
-{
-    double de[3], lever = v->lever[c] > 0 ? v->lever[c] : 1;
-
-    for (int k = 0; k < 3; k++)
-        de[k] = e[k] - from[k];
-    friction_step(&v->stiffness[VEH_DOFS*c + (v->lever[c] > 0 ? VEH_ROLL : VEH_X)],
-                  v->coefficient[c]*lever*friction_load(v, c, now), de, F);
-}
-
-/* Along the axes turned by m: e, ed there. */
-static void axes_law(const struct veh *v, int64_t c, const struct couplings_memory *m, const double e[3], const double ed[3], double F[3])
-{
-    static const struct couplings_state none;
-    const struct couplings_state *before = m ? &m->before[c] : &none;
-    int64_t axis = v->axis[c];
-
-    if (v->type[c] == VEH_FRICTION) {
-        for (int k = 0; k < 3; k++)
-            F[k] = v->lever[c] > 0 ? 0 : before->F[k];
-        if (v->lever[c] == 0)
-            slide(v, c, m ? m->now : NULL, before->e, e, F);
-        return;
-    }
-    for (int k = 0; k < 3; k++)
-        F[k] = -v->stiffness[VEH_DOFS*c + k]*e[k] - v->damping[VEH_DOFS*c + k]*ed[k] - v->preload[3*c + k];
-    if (v->type[c] == VEH_STOP)
-        F[axis] -= couplings_stop(v, c, e[axis]);
-    if (v->type[c] == VEH_SPRING)
-        F[axis] += spring_force(v, c, e[axis]);
-    if (v->type[c] == VEH_DAMPER)
-        F[axis] += damper_force(v, c, m ? m->step : 0, before->e[axis], before->F[axis], e[axis], ed[axis]);
-}
-
-/* Moments about the axes on B. */
-static void turn_law(const struct veh *v, int64_t c, const struct couplings_memory *m, const struct pair *p, double T[3])
-{
-    static const struct couplings_state none;
-    const struct couplings_state *before = m ? &m->before[c] : &none;
-    const double *k = &v->stiffness[VEH_DOFS*c + VEH_ROLL], *d = &v->damping[VEH_DOFS*c + VEH_ROLL];
-    int sticks = v->type[c] == VEH_FRICTION && v->lever[c] > 0;
-
-    for (int i = 0; i < 3; i++)
-        T[i] = sticks ? before->F[i] : -k[i]*p->turn[i] - d[i]*p->rate[i];
-    if (sticks)
-        slide(v, c, m ? m->now : NULL, before->e, p->turn, T);
 }
 
 /* ---- couplings of one point ---- */
@@ -190,8 +133,13 @@ static void point_force(const struct veh *v, int64_t c, struct couplings_memory 
         e[k] = p->e[k] - me[k];
         ed[k] = p->ed[k] - med[k];
     }
-    axes_law(v, c, m, e, ed, law);
-    turn_law(v, c, m, p, T);
+    law_along(v, c, m, e, ed, law);
+    law_about(v, c, m, p->turn, p->rate, T);
+    if (m)
+        m->now[c] = v->lever[c] > 0 ? (struct couplings_state){.e = {p->turn[0], p->turn[1], p->turn[2]}, .F = {T[0], T[1], T[2]}}
+                                    : (struct couplings_state){.e = {e[0], e[1], e[2]}, .F = {law[0], law[1], law[2]}};
+    if (law[0] == 0 && law[1] == 0 && law[2] == 0 && T[0] == 0 && T[1] == 0 && T[2] == 0)
+        return;
     cross(p->m, law, mF);
     for (int k = 0; k < 3; k++)
         F[k] = law[k] + mF[k];
@@ -205,17 +153,12 @@ static void point_force(const struct veh *v, int64_t c, struct couplings_memory 
         fA[VEH_ROLL + k] -= onA[k] + p->share[k]*pair[k] + (hidden == 0 ? 0 : T[k]);
         fB[VEH_ROLL + k] += onB[k] - (1 - p->share[k])*pair[k] + (hidden == 1 ? 0 : T[k]);
     }
-    if (m)
-        m->now[c] = v->lever[c] > 0 ? (struct couplings_state){.e = {p->turn[0], p->turn[1], p->turn[2]}, .F = {T[0], T[1], T[2]}}
-                                    : (struct couplings_state){.e = {e[0], e[1], e[2]}, .F = {law[0], law[1], law[2]}};
 }
 
 /* ---- lines ---- */
 
 static void line_force(const struct veh *v, int64_t c, struct couplings_memory *m, const struct pair *p, double *fA, double *fB)
 {
-    static const struct couplings_state none;
-    const struct couplings_state *before = m ? &m->before[c] : &none;
     double D[3], n[3], turned[3], F[3], onA[3], onB[3], across = 0, size = 0, length, force;
 
     for (int k = 0; k < 3; k++)
@@ -233,10 +176,7 @@ static void line_force(const struct veh *v, int64_t c, struct couplings_memory *
         size += D[k]*D[k];
     }
     double e = along + across/(2*length);
-    if (v->type[c] == VEH_ROD)
-        force = -v->stiffness[VEH_DOFS*c]*e - v->damping[VEH_DOFS*c]*rate;
-    else
-        force = damper_force(v, c, m ? m->step : 0, before->e[0], before->F[0], e, rate);
+    force = law_line(v, c, m, e, rate);
     for (int k = 0; k < 3; k++)
         F[k] = force*D[k]/sqrt(size);
     cross(p->A.arm, F, onA);
