@@ -145,6 +145,7 @@ const struct yaml_schema case_text_schema = {
         FILE_FIELD(vehicle, ".veh file"),
         FILE_FIELD(contact_left, ".ctab file of the left side"),
         FILE_FIELD(contact_right, ".ctab file of the right side"),
+        FILE_FIELD(creep, ".creep file of creep forces; absent: FASTSIM"),
         {"speed_kmh", YAML_NUM, AT(speed), 1, 500, "km/h", YAML_ABSENT, "speed, the one key that is not SI; a vehicle needs it", NULL, NULL},
         {"route", YAML_CHOICE, AT(route), 0, 0, "", "through", "which route track and sections describe", NULL, routes},
         {"direction", YAML_CHOICE, AT(direction), 0, 0, "", "facing", "facing: with increasing station", NULL, directions},

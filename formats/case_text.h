@@ -61,6 +61,7 @@ struct case_text {
     char *name;
     char *track, *vehicle;                   /* files, relative to the case; NULL where not named */
     char *contact_left, *contact_right;
+    char *creep;                             /* .creep file; NULL: FASTSIM */
     double speed;                            /* km/h: the one input that is not SI; 0 where not given */
     int route, direction;                    /* enum case_route; facing is the only direction */
     double friction;                         /* 1 */

@@ -1,8 +1,9 @@
 /* vxrun: one train through one track.
  *
- * In: a case (YAML), a track (.trk), a vehicle (.veh), contact tables of both sides (.ctab).  Out: a .run, written while
+ * In: a case (YAML), a track (.trk), a vehicle (.veh), contact tables of both sides (.ctab), perhaps creep forces (.creep).  Out: a .run, written while
  * the train runs and renamed when it is complete.  Axes: x forward, y to the right, z down; forces are those of the wheel on the rail.
  * Method: integrate/passage.h, integrate/way.h.  Arrays read: all of the inputs.  Arrays written: run(5). */
+#include "formats/beside.h"
 #include "formats/case_text.h"
 #include "formats/ctab.h"
 #include "tools/cli/cli.h"
@@ -20,11 +21,11 @@
 
 static const char usage[] =
     "vxrun [-v] [--track T.trk] [--vehicle V.veh] [--contact-left L.ctab] [--contact-right R.ctab]\n"
-    "      [--set KEY=VALUE]... [-o OUT.run] CASE.yaml\n"
+    "      [--creep C.creep] [--set KEY=VALUE]... [-o OUT.run] CASE.yaml\n"
     "vxrun --schema | --master";
 
 static struct {
-    const char *track, *vehicle, *left, *right, *out;
+    const char *track, *vehicle, *left, *right, *creep, *out;
     struct cli_list set;
     int verbose, schema, master;
 } opt;
@@ -34,6 +35,7 @@ static const struct cli_option options[] = {
     {.name = "vehicle", .type = CLI_TEXT, .value = &opt.vehicle},
     {.name = "contact-left", .type = CLI_TEXT, .value = &opt.left},
     {.name = "contact-right", .type = CLI_TEXT, .value = &opt.right},
+    {.name = "creep", .type = CLI_TEXT, .value = &opt.creep},
     {.name = "set", .type = CLI_LIST, .value = &opt.set},
     {.name = "schema", .type = CLI_FLAG, .value = &opt.schema},
     {.name = "master", .type = CLI_FLAG, .value = &opt.master},
@@ -58,7 +60,7 @@ static const char *parse(int argc, char **argv)
     asks = opt.schema + opt.master;
     if (asks > 1)
         cli_misuse("--schema and --master exclude each other");
-    if (asks && (n || opt.track || opt.vehicle || opt.left || opt.right || opt.set.n || opt.out))
+    if (asks && (n || opt.track || opt.vehicle || opt.left || opt.right || opt.creep || opt.set.n || opt.out))
         cli_misuse("--%s stands alone", opt.schema ? "schema" : "master");
     if (!asks && !n)
         cli_misuse("the case is missing (-h shows the usage)");
@@ -68,27 +70,14 @@ static const char *parse(int argc, char **argv)
 struct inputs {
     struct case_text text;
     uint64_t hash;               /* of the case */
-    int files;                   /* 1 with a prescribed force, else 4 */
-    struct vxf file[4];
+    int files;                   /* 1 with a prescribed force, else 4, and one of creep forces */
+    struct vxf file[5];
     struct trk track;
     struct veh vehicle;
     struct ctab table[2];
+    struct creep creep;
     struct irregularity measured;    /* where the case names a file of it */
 };
-
-/* A file named by the case lies beside the case. */
-static char *beside(const char *path, const char *name)
-{
-    const char *slash = strrchr(path, '/');
-    size_t n = slash && *name != '/' ? (size_t)(slash - path) + 1 : 0;
-    char *joined = calloc(n + strlen(name) + 1, 1);
-
-    if (!joined)
-        cli_die(REASON_MEMORY);
-    memcpy(joined, path, n);
-    memcpy(joined + n, name, strlen(name));
-    return joined;
-}
 
 /* The option goes before the case.  Returns the name, for messages. */
 static char *open_input(struct vxf *f, const char *option, const char *spelled, const char *case_path, const char *named,
@@ -98,7 +87,8 @@ static char *open_input(struct vxf *f, const char *option, const char *spelled, 
 
     if (!option && !named)
         cli_misuse("the case names no .%s file, and %s is not given", kind, spelled);
-    path = option ? beside("", option) : beside(case_path, named);
+    if (!(path = option ? strdup(option) : beside_path(named, case_path)))
+        cli_die(REASON_MEMORY);
     cli_open(f, path, kind);
     return path;
 }
@@ -124,12 +114,19 @@ static void check_track(const char *path, const struct case_text *c, const struc
 
 static void read_irregularity(struct inputs *in, const char *path)
 {
-    char *name = in->text.irregularity.file;
+    char **file = &in->text.irregularity.file;
 
-    if (!name)
+    cli_check(path, beside_place(file, path));
+    if (*file)
+        cli_check(*file, irregularity_read(&in->measured, *file));
+}
+
+static void read_creep(struct inputs *in, const char *path)
+{
+    if (!opt.creep && !in->text.creep)
         return;
-    name = beside(path, name);
-    cli_check(name, irregularity_read(&in->measured, name));
+    char *name = open_input(&in->file[in->files++], opt.creep, "--creep", path, in->text.creep, "creep");
+    cli_check(name, creep_read(&in->creep, &in->file[4]));
     free(name);
 }
 
@@ -149,6 +146,7 @@ static void read_train(struct inputs *in, const char *path)
     check_side(name[2], &in->table[0], 'l');
     check_side(name[3], &in->table[1], 'r');
     read_irregularity(in, path);
+    read_creep(in, path);
     for (int i = 1; i < 4; i++)
         free(name[i]);
 }
@@ -165,7 +163,7 @@ static void read_inputs(struct inputs *in, const char *path)
     if (strlen(c->name) >= sizeof ((struct run *)NULL)->name)
         cli_die("%s: name: longer than %zu letters", path, sizeof ((struct run *)NULL)->name - 1);
     in->files = c->force.amplitude > 0 ? 1 : 4;
-    if (in->files == 1 && (c->vehicle || c->contact_left || c->contact_right || opt.vehicle || opt.left || opt.right))
+    if (in->files == 1 && (c->vehicle || c->contact_left || c->contact_right || opt.vehicle || opt.left || opt.right || opt.creep))
         cli_die("%s: force: a prescribed force stands instead of vehicle and contact tables", path);
     name = open_input(&in->file[0], opt.track, "--track", path, c->track, "trk");
     cli_check(name, trk_read(&in->track, &in->file[0]));
@@ -270,6 +268,8 @@ int main(int argc, char **argv)
     }
     read_inputs(&in, path);
     cli_check("case", options_read(&o, &in.text, in.text.speed / 3.6, in.text.irregularity.file ? &in.measured : NULL));
+    if (in.files > 4)
+        cli_check("case", options_creep(&o, &in.creep, in.table));
     if (in.text.force.amplitude > 0) {
         cli_check("case", options_exciter(&e, &in.text, &in.track));
         o.exciter = &e;

@@ -63,6 +63,18 @@ vxrun --set falling.limit=0.01 --set falling.decay=1e3 -o "$dir/fallen.run" "$pl
 ! vxcmp "$dir/fallen.run" "$dir/a.run" >/dev/null
 ok $? "friction that falls is not"
 
+# Creep forces by table: named by the case or the option, near those of FASTSIM.
+vxcreep --table --grid 20 -o "$dir/f.creep"
+vxrun --creep "$dir/f.creep" -o "$dir/g.run" "$plain"
+ok $? "--creep takes a table"
+vxrun --set creep=../f.creep -o "$dir/h.run" "$plain" && vxcmp "$dir/g.run" "$dir/h.run" >/dev/null
+ok $? "as does the case"
+! vxcmp "$dir/a.run" "$dir/g.run" >/dev/null
+ok $? "which is not FASTSIM"
+vxcreep --table --grid 5 --poisson 0.3 -o "$dir/p.creep"
+fails 1 "a table of another Poisson's ratio is refused" vxrun --creep "$dir/p.creep" -o "$dir/i.run" "$plain"
+fails 1 "so is what is no table" vxrun --creep "$dir/t.trk" -o "$dir/i.run" "$plain"
+
 vxrun --master >"$dir/master.yaml"
 sed -e 's/name: .*/name: x/' -e 's/speed_kmh: .*/speed_kmh: 80/' -e '/^  dip:/,$d' "$dir/master.yaml" >"$dir/filled.yaml"
 fails 2 "the master filled in, without a dip, lacks only its files" vxrun "$dir/filled.yaml"

@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#define POISSON_EQUAL 1e-9
+
 static struct wheel_law contact_law(const struct case_text *c)
 {
     struct wheel_law law = {
@@ -91,6 +93,15 @@ const char *options_exciter(struct exciter *e, const struct case_text *c, const 
     if ((why = exciter_place(e, t)))
         exciter_free(e);
     return why;
+}
+
+const char *options_creep(struct passage_options *o, const struct creep *c, const struct ctab table[2])
+{
+    for (int i = 0; i < 2; i++)
+        if (fabs(table[i].poisson - c->poisson) > POISSON_EQUAL)
+            return reason("creep: of Poisson's ratio %g, but the contact tables of %g", c->poisson, table[i].poisson);
+    o->law.creep = c;
+    return NULL;
 }
 
 const char *options_sampling(const struct case_text *c, int64_t *every)

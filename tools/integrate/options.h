@@ -12,6 +12,9 @@ const char *options_read(struct passage_options *o, const struct case_text *c, d
 /* A prescribed force on track t and what it moves, where the case has one (force.amplitude is not 0). */
 const char *options_exciter(struct exciter *e, const struct case_text *c, const struct trk *t);
 
+/* Creep forces by table c, which must outlive o, in contacts of both tables. */
+const char *options_creep(struct passage_options *o, const struct creep *c, const struct ctab table[2]);
+
 /* Whole steps between samples into *every. */
 const char *options_sampling(const struct case_text *c, int64_t *every);
 

@@ -5,6 +5,7 @@
 #include "tools/integrate/wheel.h"
 #include "formats/reason.h"
 #include "tools/creep/kalker.h"
+#include "tools/creep/table.h"
 
 #include <math.h>
 #include <string.h>
@@ -139,7 +140,10 @@ static void add_contact(const struct wheel_law *law, const struct wheel_input *i
 
     creepages(in, r, y, g, a->rate[k], creep);
     double mu = friction_of(&law->varied, law->friction, t->side, in->s, row[CTAB_BODY], g, in->v * hypot(creep[0], creep[1]));
-    fastsim(&law->grid, semi_a, semi_b, N, mu, t->shear_modulus, t->poisson, creep[0], creep[1], creep[2], T);
+    if (law->creep)
+        creep_table(law->creep, semi_a, semi_b, N, mu, t->shear_modulus, t->poisson, creep[0], creep[1], creep[2], T);
+    else
+        fastsim(&law->grid, semi_a, semi_b, N, mu, t->shear_modulus, t->poisson, creep[0], creep[1], creep[2], T);
     out->creep_damping += w * creep_damping(t, semi_a, semi_b, cosg, in->v);
     F[0] = w * (T[0] + normal_ahead(in, r, -N * sing, N * cosg));    /* on the rail: N n + Tx x + Ty t, spin moment Mz n */
     F[1] = w * (-N * sing + T[1] * cosg);

@@ -5,6 +5,7 @@
 #ifndef VX_INTEGRATE_WHEEL_H
 #define VX_INTEGRATE_WHEEL_H
 
+#include "formats/creep.h"
 #include "formats/ctab.h"
 #include "formats/run.h"
 #include "tools/contact/lookup.h"
@@ -22,6 +23,7 @@ struct wheel_law {
     struct friction varied;      /* and how it varies by place and slip */
     double step;                 /* s */
     struct fastsim grid;
+    const struct creep *creep;   /* its table instead of FASTSIM, or NULL */
 };
 
 /* Where wheelset and rail are. */
