@@ -96,6 +96,8 @@ static const char *check_spatial(const struct trk *t)
 {
     if (t->lateral_knots < 1)
         return "array bending.lateral.x: no knot, one at least is wanted";
+    if (t->nodes < 2)
+        return "array x: a spatial track of one rail node is none";
     if (t->check_nodes == 1)
         return "array check.node: a check rail of one node is no beam";
     for (int64_t k = 0; k < t->check_nodes; k++)
