@@ -1,7 +1,8 @@
 # Question: what are receptance, modes and static stiffness of the straight track of Table 1 and of a turnout?
 # Figures: receptance above a sleeper and between two, by the thesis' formula and exactly (figure 2 of Lau and Hoff 2018), and by a hammer
 # in time; three modes (figure 3); a moving mass beside them (figure 4); stiffness along the turnout.  Time: about 3 s on one core, most of it pictures.
-# Headline: peaks at 119, 486 and 907 Hz (out/track/receptance.png); the right rail's stiffness falls from 200 to 147 MN/m.
+# Headline: peaks at 119, 486 and 907 Hz (out/track/receptance.png); the left rail's stiffness rises from 200 to
+# 253 MN/m over the crossing, the right one's falls to 147 (out/track/stiffness.png).
 K = out/track
 
 track: $(addprefix $K/,receptance.png hammer.png moving-mass.png modes.png stiffness.png)  ## receptance, modes and stiffness of a track, into out/track
