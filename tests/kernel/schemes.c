@@ -129,6 +129,22 @@ static void separation(void)
     tear_down(&f);
 }
 
+/* Voids under some sleepers, or ballast that does not pull anywhere: the sleepers strike and lift off. */
+static void voids(const char *ballast, const char *what)
+{
+    static struct history a, b;
+    const char *const set[] = {ballast};
+    struct fixture f;
+    const char *why = set_up(&f, set, 1, RIG_WHEELSET);
+    struct passage_options o = rig_options(-9.4, 9);
+
+    if (!why && !(why = run(&f, o, WAY_EXPLICIT, &a)))
+        why = run(&f, o, WAY_IMPLICIT, &b);
+    const struct difference d = compare(&a, &b, 0.4);
+    ok(!why && d.rms < 0.005 * d.size, "%s: %.2f N rms of %.0f (%.3f %%)%s%s", what, d.rms, d.size, 100 * d.rms / d.size, why ? ": " : "", why ? why : "");
+    tear_down(&f);
+}
+
 /* log2 of the ratio of changes of the wheelset's height as the step is halved twice. */
 static const char *observed_order(struct fixture *f, struct passage_options o, double *order, double *change)
 {
@@ -308,6 +324,8 @@ int main(void)
                   k / 2 ? "ballast.stiffness=3000e6" : "ballast.stiffness=50e6", WHEEL_HERTZ);
     agree(80, "railpad.stiffness=300e6", "ballast.stiffness=280e6", WHEEL_LINEAR);
     separation();
+    voids("ballast.gap={station: [-1, 0, 1, 2], value: [0, 2e-4, 4e-4, 0]}", "voids to 0.4 mm");
+    voids("ballast.tension=false", "ballast that only pushes");
     order(NULL, 0, WHEEL_HERTZ);
     order(NULL, 0, WHEEL_LINEAR);
     order(fine, 2, WHEEL_HERTZ);

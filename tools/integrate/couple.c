@@ -180,6 +180,8 @@ const char *couple_wheels(struct passage *p)
     }
     if (!(off <= RAIL_TOLERANCE))
         return at_wheel(p, at, reason("contact forces and rails still differ by %.3g m", off));
+    if (way_unrest(&p->rails) > 0)
+        return reason("station %.3f m: forces of ballast that only pushes still change by %.3g N", p->station, way_unrest(&p->rails));
     remember(p);
     return NULL;
 }

@@ -6,6 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { RELIEFS_MOST = 40 };
+#define RELIEF_TOLERANCE 1e-3 /* N */
+
 /* ---- setting up ---- */
 
 /* The next array of a store made in two passes: the first counts, the second hands out. */
@@ -111,15 +114,6 @@ static const char *assemble(struct newmark *m)
     return banded_factor(&m->S);
 }
 
-static const char *check_ballast(const struct trk *t)
-{
-    for (int64_t i = 0; i < TRK_BALLAST * t->sleepers; i++)
-        if (t->ballast_state[i] != TRK_BONDED)
-            return reason("sleeper %lld lies on ballast that does not pull: the implicit scheme wants linear ballast",
-                          (long long)t->sleeper_number[i % t->sleepers]);
-    return NULL;
-}
-
 /* The widest distance between degrees of freedom at the two ends of an element. */
 static int element_span(const struct trk *t)
 {
@@ -134,14 +128,15 @@ static int element_span(const struct trk *t)
 
 const char *newmark_new(struct newmark *m, const struct trk *t, double gravity, double step)
 {
-    const char *why = check_ballast(t);
+    const char *why;
 
     *m = (struct newmark){.track = t, .n = t->dofs, .h = step};
-    if (!why)
-        why = assemble(m);
+    why = assemble(m);
     m->beyond = element_span(t) > m->S.half ? element_span(t) : m->S.half;
     if (!why)
         why = allocate(m);
+    if (!why)
+        why = relief_new(&m->relief, t);
     if (why) {
         newmark_free(m);
         return why;
@@ -157,6 +152,7 @@ void newmark_free(struct newmark *m)
     banded_free(&m->S);
     banded_free(&m->C);
     banded_free(&m->M);
+    relief_free(&m->relief);
     free(m->store);
     free(m->beam[0]);
     *m = (struct newmark){0};
@@ -171,6 +167,8 @@ void newmark_set(struct newmark *m, const double *u)
     memset(m->a, 0, size);
     memset(m->f, 0, size);
     m->solved = 0;
+    relief_seek(&m->relief, m->track, m->h, m->u, m->u, m->v, m->f);
+    m->relief.change = 0; /* at rest it is what it is */
 }
 
 /* ---- the step ---- */
@@ -196,6 +194,7 @@ void newmark_advance(struct newmark *m)
     banded_multiply(&m->M, m->displaced, m->u);
     banded_multiply(&m->C, m->moved, m->u);
     memset(m->f, 0, (size_t)m->n * sizeof *m->f);
+    relief_load(&m->relief, m->track, m->f);
     m->solved = 0;
     for (int s = 0; s < 2; s++) {
         memset(m->near_held[s], 0, (size_t)m->track->nodes * sizeof *m->near_held[s]);
@@ -223,7 +222,7 @@ CLONES static void add_loads(int64_t n, const double *restrict x, double *restri
 }
 
 /* S is linear: what is loaded later is solved for alone and added. */
-void newmark_move(struct newmark *m)
+static void solve_loads(struct newmark *m)
 {
     if (m->solved) {
         banded_solve(&m->S, m->f);
@@ -234,6 +233,22 @@ void newmark_move(struct newmark *m)
     }
     memset(m->f, 0, (size_t)m->n * sizeof *m->f);
     m->solved = 1;
+}
+
+void newmark_move(struct newmark *m)
+{
+    solve_loads(m);
+    for (int k = 0; k < RELIEFS_MOST && m->relief.any; k++) {
+        relief_seek(&m->relief, m->track, m->h, m->u, m->u0, m->v, m->f);
+        if (m->relief.change <= RELIEF_TOLERANCE)
+            break;
+        solve_loads(m);
+    }
+}
+
+double newmark_unrest(const struct newmark *m)
+{
+    return m->relief.change <= RELIEF_TOLERANCE ? 0 : m->relief.change;
 }
 
 CLONES static void find_rates(int64_t n, double h, const double *restrict u, const double *restrict u0, double *restrict v, double *restrict a)
@@ -292,7 +307,8 @@ static void show_sleepers(struct newmark *m)
         }
         for (int s = 0; s < TRK_BALLAST; s++) {
             double y = t->ballast_y[s * n + i];
-            m->ballast[s][i] = t->ballast_k[s * n + i] * (z + y * r) + t->ballast_c[s * n + i] * (vz + y * vr);
+            const int in_K = t->ballast_state[s * n + i] != TRK_OPEN;
+            m->ballast[s][i] = in_K * (t->ballast_k[s * n + i] * (z + y * r) + t->ballast_c[s * n + i] * (vz + y * vr)) - m->relief.P[s][i];
         }
     }
 }

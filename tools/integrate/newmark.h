@@ -10,6 +10,7 @@
 #define VX_INTEGRATE_NEWMARK_H
 
 #include "tools/integrate/banded.h"
+#include "tools/integrate/relief.h"
 #include "tools/integrate/wheel_place.h"
 
 struct newmark {
@@ -24,6 +25,7 @@ struct newmark {
     double *u0;                         /* a step before, while v and a still are that; v0 and a0 are not kept */
     double *f;                          /* N, N m loads that u has not got yet */
     double *displaced, *moved;          /* work: what M and C multiply */
+    struct relief relief;               /* of ballast that only pushes */
     int solved;                         /* u is that of this step, without f */
     struct beam *beam[2];               /* [nodes - 1] */
     double *near[2], *far[2];           /* N m [nodes] end moments of the elements less those of their loads' held ends */
@@ -36,7 +38,7 @@ struct newmark {
     double *store;
 };
 
-/* Fails where the matrix of the step has no factor, or a ballast holds one way only. */
+/* Fails where the matrix of the step has no factor. */
 const char *newmark_new(struct newmark *m, const struct trk *t, double gravity, double step);
 void newmark_free(struct newmark *m);
 
@@ -46,6 +48,10 @@ void newmark_set(struct newmark *m, const double *u);
 void newmark_advance(struct newmark *m);
 void newmark_load(struct newmark *m, int rail, const struct wheel_place *p, double F);
 void newmark_move(struct newmark *m);
+
+/* N, by which forces of ballast that only pushes still change: small unless newmark_move found none. */
+double newmark_unrest(const struct newmark *m);
+
 void newmark_finish(struct newmark *m);
 
 /* f.[w t w t] of the rail, of a state u, v or a. */

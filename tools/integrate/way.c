@@ -170,6 +170,11 @@ void way_move(struct way *w)
         newmark_move(&w->newmark);
 }
 
+double way_unrest(const struct way *w)
+{
+    return is_explicit(w) ? 0 : newmark_unrest(&w->newmark);
+}
+
 static void look_lumped(const struct lumped *l, int rail, const struct wheel_place *p, struct way_rail *r)
 {
     r->z = lumped_sample(l, rail, p, p->shape, l->u);

@@ -67,6 +67,9 @@ static inline int way_yields(const struct way *w)
     return w->scheme == WAY_IMPLICIT && !w->at_rest;
 }
 
+/* N, by which forces of the track itself still change after way_move; 0 where they are found. */
+double way_unrest(const struct way *w);
+
 void way_look(const struct way *w, int rail, const struct wheel_place *p, struct way_rail *r);
 
 /* m/s2, of the rail's material at the place: after way_finish. */
