@@ -3,13 +3,11 @@
  * In: a case (YAML), a track (.trk), a vehicle (.veh), contact tables of both sides (.ctab), perhaps creep forces (.creep).  Out: a .run, written while
  * the train runs and renamed when it is complete.  Axes: x forward, y to the right, z down; forces are those of the wheel on the rail.
  * Method: integrate/passage.h, integrate/way.h.  Arrays read: all of the inputs.  Arrays written: run(5). */
-#include "formats/beside.h"
-#include "formats/case_text.h"
-#include "formats/ctab.h"
-#include "tools/cli/cli.h"
+#include "tools/cli/inputs.h"
 #include "tools/integrate/options.h"
 #include "tools/integrate/record.h"
 #include "tools/integrate/start.h"
+#include "tools/integrate/state.h"
 
 #include <errno.h>
 #include <math.h>
@@ -21,22 +19,25 @@
 
 static const char usage[] =
     "vxrun [-v] [--track T.trk] [--vehicle V.veh] [--contact-left L.ctab] [--contact-right R.ctab]\n"
-    "      [--creep C.creep] [--set KEY=VALUE]... [-o OUT.run] CASE.yaml\n"
+    "      [--creep C.creep] [--set KEY=VALUE]... [--start STATE] [--save-state STATION] [-o OUT.run] CASE.yaml\n"
     "vxrun --schema | --master";
 
 static struct {
-    const char *track, *vehicle, *left, *right, *creep, *out;
-    struct cli_list set;
+    struct inputs_options in;
+    const char *start, *out;
+    double save;                 /* m; NAN where no state is wanted */
     int verbose, schema, master;
-} opt;
+} opt = {.save = NAN};
 
 static const struct cli_option options[] = {
-    {.name = "track", .type = CLI_TEXT, .value = &opt.track},
-    {.name = "vehicle", .type = CLI_TEXT, .value = &opt.vehicle},
-    {.name = "contact-left", .type = CLI_TEXT, .value = &opt.left},
-    {.name = "contact-right", .type = CLI_TEXT, .value = &opt.right},
-    {.name = "creep", .type = CLI_TEXT, .value = &opt.creep},
-    {.name = "set", .type = CLI_LIST, .value = &opt.set},
+    {.name = "track", .type = CLI_TEXT, .value = &opt.in.track},
+    {.name = "vehicle", .type = CLI_TEXT, .value = &opt.in.vehicle},
+    {.name = "contact-left", .type = CLI_TEXT, .value = &opt.in.left},
+    {.name = "contact-right", .type = CLI_TEXT, .value = &opt.in.right},
+    {.name = "creep", .type = CLI_TEXT, .value = &opt.in.creep},
+    {.name = "set", .type = CLI_LIST, .value = &opt.in.set},
+    {.name = "start", .type = CLI_TEXT, .value = &opt.start},
+    {.name = "save-state", .type = CLI_NUM, .value = &opt.save, .lo = -1e9, .hi = 1e9},
     {.name = "schema", .type = CLI_FLAG, .value = &opt.schema},
     {.name = "master", .type = CLI_FLAG, .value = &opt.master},
     {.name = "v", .type = CLI_FLAG, .value = &opt.verbose},
@@ -60,117 +61,94 @@ static const char *parse(int argc, char **argv)
     asks = opt.schema + opt.master;
     if (asks > 1)
         cli_misuse("--schema and --master exclude each other");
-    if (asks && (n || opt.track || opt.vehicle || opt.left || opt.right || opt.creep || opt.set.n || opt.out))
+    if (asks && (n || opt.in.track || opt.in.vehicle || opt.in.left || opt.in.right || opt.in.creep || opt.in.set.n || opt.out))
         cli_misuse("--%s stands alone", opt.schema ? "schema" : "master");
     if (!asks && !n)
         cli_misuse("the case is missing (-h shows the usage)");
+    if (!isnan(opt.save) && !opt.out)
+        cli_misuse("--save-state wants -o: the state goes beside the run");
     return asks ? NULL : operand[0];
 }
 
-struct inputs {
-    struct case_text text;
-    uint64_t hash;               /* of the case */
-    int files;                   /* 1 with a prescribed force, else 4, and one of creep forces */
-    struct vxf file[5];
-    struct trk track;
-    struct veh vehicle;
-    struct ctab table[2];
-    struct creep creep;
-    struct irregularity measured;    /* where the case names a file of it */
-};
-
-/* The option goes before the case.  Returns the name, for messages. */
-static char *open_input(struct vxf *f, const char *option, const char *spelled, const char *case_path, const char *named,
-                        const char *kind)
+static void put_inputs(const struct inputs *in, struct vxf_out *o)
 {
-    char *path;
+    for (int i = 0; i < in->files; i++)
+        vxf_put_input(o, &in->file[i]);
+    vxf_put_key(o, "INPUT", "case %016llx", (unsigned long long)in->hash);
+    if (in->text.irregularity.file)
+        vxf_put_key(o, "INPUT", "irregularity %016llx", (unsigned long long)in->measured.hash);
+}
 
-    if (!option && !named)
-        cli_misuse("the case names no .%s file, and %s is not given", kind, spelled);
-    if (!(path = option ? strdup(option) : beside_path(named, case_path)))
+/* The .state beside the .run. */
+static char *state_path(void)
+{
+    const size_t n = strlen(opt.out), end = n > 4 && strcmp(opt.out + n - 4, ".run") == 0 ? n - 4 : n;
+    char *path = calloc(end + sizeof ".state", 1);
+
+    if (!path)
         cli_die(REASON_MEMORY);
-    cli_open(f, path, kind);
+    snprintf(path, end + sizeof ".state", "%.*s.state", (int)end, opt.out);
     return path;
 }
 
-static void check_side(const char *path, const struct ctab *t, char side)
+static void save_state(struct passage *p, const struct inputs *in, const char *failed)
 {
-    if (t->side != side)
-        cli_die("%s: is of side %c, but %s wants side %c", path, t->side, side == 'l' ? "--contact-left" : "--contact-right", side);
+    struct state s;
+    struct state_part part[STATE_PARTS];
+    struct vxf_out o;
+    char *path = state_path();
+    double *rest = NULL;
+
+    cli_check(path, state_take(&s, p, &rest));
+    snprintf(s.failed, sizeof s.failed, "%s", failed ? failed : "");
+    s.vehicle = vxf_content(&in->file[1]);
+    s.contact[0] = vxf_content(&in->file[2]);
+    s.contact[1] = vxf_content(&in->file[3]);
+    s.text = in->hash;
+    s.track = &in->file[0];
+    vxf_out_begin(&o, "state");
+    put_inputs(in, &o);
+    state_put(&s, state_parts(p, part), part, &o);
+    cli_write(&o, path);
+    vxf_out_free(&o);
+    free(rest);
+    free(path);
 }
 
-/* A track has no name of its route; one without a curve is not that of a diverging route.  */
-static void check_track(const char *path, const struct case_text *c, const struct trk *t)
+/* What a run that fails leaves for a post-mortem, where its numbers are still finite and it has a name. */
+static void leave_state(struct passage *p, const struct inputs *in, const char *failed)
 {
-    int curved = 0;
+    struct state_part part[STATE_PARTS];
+    const int n = state_parts(p, part);
 
-    if (trk_is_spatial(t))
-        cli_die("%s: a spatial track has receptance, modes and statics; a train wants dofs: vertical", path);
-    for (int64_t i = 0; i < t->curves; i++)
-        curved |= fabs(t->curvature[i]) > 0;
-    if (c->route == CASE_DIVERGING && !curved)
-        cli_die("%s: the route is diverging, but this track has no curve", path);
+    for (int k = 0; k < n; k++)
+        for (int64_t i = 0; i < part[k].n; i++)
+            if (!isfinite(part[k].x[i]))
+                return;
+    if (opt.out && in->files > 1)
+        save_state(p, in, failed);
 }
 
-static void read_irregularity(struct inputs *in, const char *path)
+/* What differs is told; what must not, refused. */
+static void resume(struct passage *p, const struct inputs *in, const struct vxf *file)
 {
-    char **file = &in->text.irregularity.file;
+    struct state s;
+    struct state_difference differs[STATE_DIFFERENCES];
+    int n;
 
-    cli_check(path, beside_place(file, path));
-    if (*file)
-        cli_check(*file, irregularity_read(&in->measured, *file));
-}
-
-static void read_creep(struct inputs *in, const char *path)
-{
-    if (!opt.creep && !in->text.creep)
-        return;
-    char *name = open_input(&in->file[in->files++], opt.creep, "--creep", path, in->text.creep, "creep");
-    cli_check(name, creep_read(&in->creep, &in->file[4]));
-    free(name);
-}
-
-static void read_train(struct inputs *in, const char *path)
-{
-    const struct case_text *c = &in->text;
-    char *name[4];
-
-    if (!(c->speed > 0))
-        cli_die("%s: speed_kmh: missing", path);
-    name[1] = open_input(&in->file[1], opt.vehicle, "--vehicle", path, c->vehicle, "veh");
-    name[2] = open_input(&in->file[2], opt.left, "--contact-left", path, c->contact_left, "ctab");
-    name[3] = open_input(&in->file[3], opt.right, "--contact-right", path, c->contact_right, "ctab");
-    cli_check(name[1], veh_read(&in->vehicle, &in->file[1]));
-    cli_check(name[2], ctab_read(&in->table[0], &in->file[2]));
-    cli_check(name[3], ctab_read(&in->table[1], &in->file[3]));
-    check_side(name[2], &in->table[0], 'l');
-    check_side(name[3], &in->table[1], 'r');
-    read_irregularity(in, path);
-    read_creep(in, path);
-    for (int i = 1; i < 4; i++)
-        free(name[i]);
-}
-
-/* A prescribed force stands for vehicle and contact. */
-static void read_inputs(struct inputs *in, const char *path)
-{
-    const struct case_text *c = &in->text;
-    const char *why;
-    char *name;
-
-    if ((why = yaml_read(path, &case_text_schema, opt.set.item, opt.set.n, &in->text, &in->hash)))
-        cli_die("%s", why); /* begins with its place */
-    if (strlen(c->name) >= sizeof ((struct run *)NULL)->name)
-        cli_die("%s: name: longer than %zu letters", path, sizeof ((struct run *)NULL)->name - 1);
-    in->files = c->force.amplitude > 0 ? 1 : 4;
-    if (in->files == 1 && (c->vehicle || c->contact_left || c->contact_right || opt.vehicle || opt.left || opt.right || opt.creep))
-        cli_die("%s: force: a prescribed force stands instead of vehicle and contact tables", path);
-    name = open_input(&in->file[0], opt.track, "--track", path, c->track, "trk");
-    cli_check(name, trk_read(&in->track, &in->file[0]));
-    check_track(name, c, &in->track);
-    free(name);
-    if (in->files > 1)
-        read_train(in, path);
+    cli_check(opt.start, state_read(&s, file));
+    cli_check(opt.start, state_compare(&s, &in->file[0], differs, &n));
+    if (s.vehicle != vxf_content(&in->file[1]))
+        cli_die("%s: is of another vehicle", opt.start);
+    cli_check(opt.start, state_resume(&s, p, differs, n));
+    for (int k = 0; k < n; k++)
+        cli_note("%s of the track differs from %.2f to %.2f m, beyond the state's reach from %.2f to %.2f m", differs[k].name,
+                 differs[k].from, differs[k].to, s.reach[0], s.reach[1]);
+    for (int side = 0; side < 2; side++)
+        if (s.contact[side] != vxf_content(&in->file[2 + side]))
+            cli_note("the %s contact table is not that of the state", side ? "right" : "left");
+    if (s.text != in->hash)
+        cli_note("the case is not that of the state");
 }
 
 static double seconds(void)
@@ -193,11 +171,12 @@ static void show_progress(const struct passage *p)
 }
 
 /* The header goes out first, then blocks as they fill, then the extremes.  A passage that fails leaves its samples up to there. */
-static void write_run(struct passage *p, struct record *r, struct vxf_out *head, struct cli_out *out)
+static void write_run(struct passage *p, const struct inputs *in, struct record *r, struct vxf_out *head, struct cli_out *out)
 {
     struct vxf_stream stream;
+    char reason_kept[256];
     const char *why = vxf_stream_begin(&stream, head, out->file), *failed = NULL;
-    int full = record_step(r, p);
+    int full = opt.start ? 0 : record_step(r, p), saved = isnan(opt.save) || p->station > opt.save;
 
     for (; !why && p->n < p->steps; full = record_step(r, p)) {
         if (full) {
@@ -206,6 +185,8 @@ static void write_run(struct passage *p, struct record *r, struct vxf_out *head,
         }
         if (why || (failed = passage_step(p)))
             break;
+        if (!saved && (saved = p->station >= opt.save))
+            save_state(p, in, NULL);
         show_progress(p);
     }
     if (!why)
@@ -213,7 +194,11 @@ static void write_run(struct passage *p, struct record *r, struct vxf_out *head,
     if (!why && !failed)
         why = vxf_stream_end(&stream, (const void *const *)r->extreme);
     cli_check(opt.out ? opt.out : "standard output", why);
-    cli_check("run", failed);
+    if (failed) {
+        snprintf(reason_kept, sizeof reason_kept, "%s", failed);
+        leave_state(p, in, reason_kept);
+        cli_die("run: %s", reason_kept);
+    }
 }
 
 static void describe(const struct inputs *in, struct record *r, struct vxf_out *head)
@@ -221,32 +206,30 @@ static void describe(const struct inputs *in, struct record *r, struct vxf_out *
     static const char *const route[] = {"through", "diverging"};
 
     vxf_out_begin(head, "run");
-    for (int i = 0; i < in->files; i++)
-        vxf_put_input(head, &in->file[i]);
-    vxf_put_key(head, "INPUT", "case %016llx", (unsigned long long)in->hash);
-    if (in->text.irregularity.file)
-        vxf_put_key(head, "INPUT", "irregularity %016llx", (unsigned long long)in->measured.hash);
+    put_inputs(in, head);
     vxf_put_key(head, "CMD", "%s", cli_command());
     snprintf(r->run.name, sizeof r->run.name, "%s", in->text.name);
     snprintf(r->run.route, sizeof r->run.route, "%s", route[in->text.route]);
     run_put(&r->run, r->recorded, head);
 }
 
-static void account(const struct passage *p, double begun, double started, double residual)
+/* first: steps done before this run. */
+static void account(const struct passage *p, int64_t first, double begun, double started, double residual)
 {
     struct rusage used;
 
     getrusage(RUSAGE_SELF, &used);
-    cli_note("%lld steps of %g s, limit %.3g s; at the start no body accelerates by more than %.1e g", (long long)p->steps,
+    const int64_t done = p->n - first;
+    cli_note("%lld steps of %g s, limit %.3g s; at the start no body accelerates by more than %.1e g", (long long)done,
              p->o.step, p->limit, residual);
     cli_note("track %s, %lld degrees of freedom, %.2f rounds of forces a step: %s", p->rails.scheme == WAY_EXPLICIT ? "explicit" : "implicit",
-             (long long)p->track->dofs, (double)p->rounds / (double)(p->steps + 1), p->rails.because);
+             (long long)p->track->dofs, (double)p->rounds / (double)(done + 1), p->rails.because);
     if (p->energy.counted) {
         double stored, lost, missing = energy_end(&p->energy, &p->rails, &stored, &lost);
         cli_note("wheels' work on the track %.6g J: lost %.6g, stored %.6g, missing %.1e of the loss", p->energy.work, lost, stored, missing);
     }
     cli_note("start %.3f s, passage %.3f s (%.2f us a step), peak memory %ld MB", started - begun, seconds() - started,
-             1e6 * (seconds() - started) / (double)p->steps, used.ru_maxrss / 1024);
+             1e6 * (seconds() - started) / (double)done, used.ru_maxrss / 1024);
 }
 
 int main(int argc, char **argv)
@@ -256,17 +239,24 @@ int main(int argc, char **argv)
     static struct record r;
     static struct exciter e;
     struct passage_options o;
+    struct vxf state = {0};
     struct vxf_out head;
     struct cli_out out;
-    double begun = seconds(), started, residual;
-    int64_t every;
+    double begun = seconds(), started, residual = 0;
+    int64_t every, first;
     const char *path = parse(argc, argv);
 
     if (!path) {
         (opt.schema ? yaml_print_schema : yaml_print_master)(&case_text_schema, stdout);
         return cli_end();
     }
-    read_inputs(&in, path);
+    inputs_read(&in, path, &opt.in);
+    if (in.files == 1 && (opt.start || !isnan(opt.save)))
+        cli_misuse("a state is of a train: --start and --save-state do not go with a prescribed force");
+    if (opt.start) {
+        cli_open(&state, opt.start, "state");
+        cli_check(opt.start, vxf_number(&state, "START", &in.text.start));
+    }
     cli_check("case", options_read(&o, &in.text, in.text.speed / 3.6, in.text.irregularity.file ? &in.measured : NULL));
     if (in.files > 4)
         cli_check("case", options_creep(&o, &in.creep, in.table));
@@ -277,22 +267,24 @@ int main(int argc, char **argv)
     cli_check("case", options_sampling(&in.text, &every));
     o.account = opt.verbose && !o.exciter;
     cli_check("case", passage_new(&p, &o, &in.track, &in.vehicle, &in.table[0], &in.table[1]));
-    cli_check("start", passage_start(&p, &residual));
+    if (opt.start)
+        resume(&p, &in, &state);
+    else
+        cli_check("start", passage_start(&p, &residual));
     cli_check("run", record_new(&r, &p, in.text.channels.group, every));
     describe(&in, &r, &head);
+    first = p.n;
     started = seconds();
     cli_create_part(&out, opt.out);
-    write_run(&p, &r, &head, &out);
+    write_run(&p, &in, &r, &head, &out);
     cli_close(&out);
     if (opt.verbose)
-        account(&p, begun, started, residual);
+        account(&p, first, begun, started, residual);
     vxf_out_free(&head);
     record_free(&r);
     passage_free(&p);
     exciter_free(&e);
-    for (int i = 0; i < in.files; i++)
-        vxf_close(&in.file[i]);
-    irregularity_free(&in.measured);
-    yaml_release(&case_text_schema, &in.text);
+    vxf_close(&state);
+    inputs_release(&in);
     return cli_end();
 }

@@ -187,4 +187,8 @@ is "$(vxinfo "$dir/x.run.part" | head -n 1 | grep -c 'NOT COMPLETE')" 1 "but a .
 at=$(sed -n 's/.*station \(-[0-9.]*\) m.*/\1/p' "$dir/err")
 last=$(vxdump --csv "$dir/x.run.part" station | tail -n 1)
 between "$last" "$(echo "$at" | awk '{print $1 - 0.023}')" "$at" "with samples up to there"
+like "$(vxinfo "$dir/x.state" | grep '^FAILED=')" 'wheelset 1, .* beside its rail' "and the state of the step that failed, with the reason"
+fails 1 "from which no run goes on" vxrun --track "$dir/curve.trk" --start "$dir/x.state" --set end=30 -o "$dir/y.run" "$plain"
+like "$(cat "$dir/err")" 'is what a run that failed has left' "which is said"
+fails 2 "--save-state without -o" vxrun --save-state -29.5 "$plain"
 done_testing

@@ -30,7 +30,7 @@ static void foresee(struct passage *p)
 {
     for (int64_t k = 0; k < wheels(p); k++) {
         struct couple *c = &p->couple[k];
-        c->applied = fmax(2 * c->last - c->before, 0);
+        c->applied = fmax(2 * p->memory[k].Q - p->memory[k].Q_before, 0);
         way_load(&p->rails, (int)(k % 2), &c->place, c->applied);
     }
 }
@@ -143,9 +143,9 @@ static void remember(struct passage *p)
         memory->before = memory->local;
         memory->local = c->rail.give > 0 ? c->rail.local * c->Q : c->approach.d;
         if (p->o.account && p->n > 0)
-            energy_work(&p->energy, &p->rails, (int)(k % 2), &c->left, c->last, &c->place, p->wheel[k].Q);
-        c->before = c->last;
-        c->last = p->wheel[k].Q;
+            energy_work(&p->energy, &p->rails, (int)(k % 2), &c->left, memory->Q, &c->place, p->wheel[k].Q);
+        memory->Q_before = memory->Q;
+        memory->Q = p->wheel[k].Q;
     }
 }
 

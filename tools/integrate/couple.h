@@ -15,7 +15,6 @@ struct couple {
     struct wheel_approach approach;
     double Q;               /* N it presses with */
     double applied;         /* N of it that the rails have got */
-    double last, before;    /* N, Q of the step before and of the one before that */
 };
 
 /* Forces of all wheels, on the rails too, which have advanced; and the rails moved by them.  Fails, with wheelset, wheel and station, where a

@@ -96,6 +96,11 @@ static const char *lay_track(struct passage *p, const struct trk *track)
     return p->follows ? follow_train(&p->own, track, p->vehicle) : NULL;
 }
 
+int64_t passage_steps(const struct passage_options *o)
+{
+    return (int64_t)ceil((o->end - o->start) / (o->speed * o->step) - 1e-9);
+}
+
 const char *passage_new(struct passage *p, const struct passage_options *o, const struct trk *track, const struct veh *vehicle,
                         const struct ctab *left, const struct ctab *right)
 {

@@ -58,6 +58,9 @@ const char *passage_new(struct passage *p, const struct passage_options *o, cons
                         const struct ctab *left, const struct ctab *right);
 void passage_free(struct passage *p);
 
+/* Steps from start to end. */
+int64_t passage_steps(const struct passage_options *o);
+
 /* All forces and accelerations from the present positions and rates. */
 const char *passage_forces(struct passage *p);
 

@@ -269,7 +269,7 @@ static const char *begin(struct passage *p, double *residual)
         *residual = fmax(*residual, fabs(p->train.a[6 * i + VEH_Z]) / p->vehicle->gravity);
     for (size_t k = 0; k < (size_t)(2 * p->vehicle->wheelsets); k++) {
         p->memory[k].before = p->memory[k].local;
-        p->couple[k].before = p->couple[k].last;
+        p->memory[k].Q_before = p->memory[k].Q;
     }
     if (p->o.account)
         energy_begin(&p->energy, &p->rails);

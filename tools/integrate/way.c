@@ -129,6 +129,27 @@ void way_state(const struct way *w, double *u, double *v)
     }
 }
 
+int way_parts(struct way *w, struct state_part *part)
+{
+    const struct lumped *l = &w->lumped;
+    const struct newmark *m = &w->newmark;
+    const int64_t n = LUMPED_PARTS * l->stride;
+
+    if (is_explicit(w)) {
+        const struct state_part lumped[] = {{"track.u", n, l->u}, {"track.v", n, l->v}, {"track.a", n, l->a}, {"track.before", n, l->before}};
+        memcpy(part, lumped, sizeof lumped);
+        return 4;
+    }
+    const struct state_part newmark[] = {{"track.u", m->n, m->u}, {"track.v", m->n, m->v}, {"track.a", m->n, m->a}};
+    memcpy(part, newmark, sizeof newmark);
+    return 3;
+}
+
+void way_resume(struct way *w)
+{
+    w->at_rest = 0;
+}
+
 static void advance_lumped(struct way *w)
 {
     struct lumped *l = &w->lumped;

@@ -11,6 +11,7 @@
 #ifndef VX_INTEGRATE_WAY_H
 #define VX_INTEGRATE_WAY_H
 
+#include "formats/state.h"
 #include "tools/integrate/lumped.h"
 #include "tools/integrate/newmark.h"
 #include "tools/integrate/wheel_place.h"
@@ -53,6 +54,13 @@ void way_set(struct way *w, const double *u);
 
 /* u, v [dofs] m and rad, m/s and rad/s, in the order of the track. */
 void way_state(const struct way *w, double *u, double *v);
+
+/* The arrays that a step takes from the one before into part [WAY_PARTS], displacements first; returns how many. */
+enum { WAY_PARTS = 4 };
+int way_parts(struct way *w, struct state_part *part);
+
+/* Those arrays have been set to what a moving track had. */
+void way_resume(struct way *w);
 
 /* One step on, without wheels. */
 void way_advance(struct way *w);

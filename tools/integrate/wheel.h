@@ -49,6 +49,7 @@ struct wheel_input {
 struct wheel_memory {
     double local, before;        /* m deflection of the rail element under the wheel, between its nodes; a step before that */
     double creep_z;              /* N vertical part of the creep force, a step old while the normal force is sought */
+    double Q, Q_before;          /* N on the rail a step ago, and the step before that */
 };
 
 struct wheel_patch {
