@@ -90,6 +90,11 @@ starts()
 
 printf 'name\tvalue\tunit\tbudget\tlimit\n' >"$dir/tsv"
 job "passage, 120 m, 80 km/h, FASTSIM 10x10" 0.6 0.43 passage -o "$dir/d.run"
+vxcreep --table -o "$dir/f.creep"
+job "the same with the fast creep law" 0.3 0.13 passage --creep "$dir/f.creep" -o "$dir/d.run"
+"$PWD/build/tests/bench/creep" "$dir/f.creep" >"$dir/creep"
+row "creep force, FASTSIM 10x10" "$(awk '$1 == "fastsim" {print $2}' "$dir/creep")" ns - 370
+row "creep force, table" "$(awk '$1 == "table" {print $2}' "$dir/creep")" ns 100 -
 row "start-up" "$(median starts | awk '{print $1/10}')" s 0.03 -
 job "contact table, 30 sections, 2 sides, 21 yaws, 0.1 mm" 3 - both_tables thirty
 sections=$(vxinfo "$dir/full-l.prof" | awk '$2 == "station" {print $4}')
