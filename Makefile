@@ -129,6 +129,7 @@ help:                       ## this list
 
 include pipelines/demo.mk
 include pipelines/yaw.mk
+include pipelines/following.mk
 include pipelines/track.mk
 include pipelines/vehicles.mk
 include tests/bench/bench.mk

@@ -189,6 +189,22 @@ static void pull(const struct trk *t, const double Y[2], const double *y, const 
     a[2] = on_sleeper / *t->sleeper_mass;
 }
 
+/* One long step from rest: the change of momentum is what wheels and, at the end of the step, ground put in. */
+static void pushes(void)
+{
+    static const struct wheel_output w[2] = {{.Y = -9e3}, {.Y = 4e3}};
+    const double h = 1e-2;
+    struct sideways s;
+    struct trk t;
+
+    ok(!rig_track(&t, TWO, NULL, 0) && !sideways_new(&s, 1), "a long step");
+    sideways_accelerate(&s, &t, 1, h, w);
+    const double force = -5e3 - (*t.sleeper_lateral_k * h * h + *t.sleeper_lateral_c * h) * s.a[2];
+    near(*t.sleeper_mass * s.a[2] + *t.lateral_m * (s.a[0] + s.a[1]), force, 1e-9 * fabs(force), "momentum");
+    sideways_free(&s);
+    trk_free(&t);
+}
+
 /* Under forces that begin at once, 5 ms later, in steps of 1 microsecond, by midpoints for the reference. */
 static void yields(void)
 {
@@ -245,6 +261,7 @@ int main(void)
     dips(TWO, &two, 60e3, 80e3);
     mirrors(ONE);
     mirrors(TWO);
+    pushes();
     yields();
     return done();
 }
