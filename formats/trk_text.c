@@ -6,6 +6,7 @@
 
 #include "formats/reason.h"
 #include "formats/trk.h"
+
 static const char *check_curve(const struct yaml_list *curve)
 {
     const struct trk_text_curve *c = curve->item;

@@ -170,6 +170,42 @@ static double static_lateral(const struct trk *t, double x)
     return y;
 }
 
+static double static_check(const struct trk *t, double x)
+{
+    struct cholesky s;
+    int64_t dof[POINT_LATERAL];
+    double share[POINT_LATERAL], *u = calloc((size_t)t->dofs, sizeof *u), y = NAN, held;
+
+    if (point_check(t, x, *t->check_head, dof, share, &held) && cholesky_new(&s, t) == NULL) {
+        for (int k = 0; k < POINT_LATERAL; k++)
+            u[dof[k]] += share[k];
+        y = held;
+        if (cholesky_solve(&s, u, u) == NULL)
+            for (int k = 0; k < POINT_LATERAL; k++)
+                y += share[k] * u[dof[k]];
+        cholesky_free(&s);
+    }
+    free(u);
+    return y;
+}
+
+/* Halfway between two sleepers what the element gives with held ends is what a node there would. */
+static void between(void)
+{
+    const char *one[] = {"rail.beam=timoshenko", NULL}, *two[] = {"rail.beam=timoshenko", "rail.elements_per_bay=2", NULL};
+    struct trk coarse, fine;
+    int64_t dof[POINT_LATERAL];
+    double share[POINT_LATERAL], held;
+
+    if (!build(&coarse, "one element a bay", one) || !build(&fine, "and two", two))
+        return;
+    near(static_lateral(&coarse, 0) / static_lateral(&fine, 0), 1, 1e-11, "push a rail halfway alike");
+    near(static_check(&coarse, 0) / static_check(&fine, 0), 1, 1e-11, "and the check rail");
+    ok(!point_check(&fine, 1.6, 0, dof, share, &held) && point_check(&fine, 1.49, 0, dof, share, &held), "which ends at its last sleeper");
+    trk_free(&coarse);
+    trk_free(&fine);
+}
+
 /* Railpads every h = 0.1 m, sideways s N/m2 and in tilt q N under the centroid, on sleepers held by 1e12: the infinite beam on Winkler's
  * foundation gives 1/(8 EI b^3), b^4 = s/4EI; the shaft on springs, cosh a = 1 + q h^2/2GJ, above one h/(2 GJ sinh a). */
 static void winkler(void)
@@ -356,6 +392,7 @@ int main(void)
     rigid_motions("rail.mass_model=consistent");
     rigid_motions("rail.beam=timoshenko");
     pad_length();
+    between();
     winkler();
     free_beam();
     pinned();
