@@ -312,6 +312,45 @@ static void mesh(void)
        why ? why : "");
 }
 
+/* What a force moves within the step, as way_look tells it beforehand. */
+static void give(const char *elements)
+{
+    const char *const set[] = {"rail.mass_model=consistent", elements};
+    const double F = 1e4;
+    struct trk t;
+    struct way w;
+    struct way_rail before[2], after[2];
+    double worst = 0;
+    const char *why = rig_track(&t, RIG_STRAIGHT, set, 2);
+
+    if (why || (why = way_new(&w, &t, 9.81, 1e-4, WAY_IMPLICIT))) {
+        ok(0, "%s", why);
+        return;
+    }
+    for (int k = 0; k < 40; k++) {
+        const int rail = k % 2;
+        const struct wheel_place at = way_find(&w, rail, -3 + 0.111 * k);
+        way_advance(&w);
+        way_move(&w);
+        for (int s = 0; s < 2; s++)
+            way_look(&w, s, &at, &before[s]);
+        way_load(&w, rail, &at, F);
+        way_move(&w);
+        for (int s = 0; s < 2; s++) {
+            const struct way_rail *r = &before[s];
+            const double give = s == rail ? r->give : r->give_other, turn = s == rail ? r->turn : r->turn_other;
+            way_look(&w, s, &at, &after[s]);
+            worst = fmax(worst, fabs(after[s].z - r->z - give * F) / (r->give * F));
+            worst = fmax(worst, fabs(after[s].v - r->v - r->quick * give * F) / (r->quick * r->give * F));
+            worst = fmax(worst, fabs(after[s].slope - r->slope - turn * F) / (r->give * F)); /* over a metre */
+        }
+        way_finish(&w);
+    }
+    ok(worst < 1e-8, "%s: what the rails give is known beforehand to %.1e", elements, worst);
+    way_free(&w);
+    trk_free(&t);
+}
+
 int main(void)
 {
     static const char *const fine[] = {"rail.elements_per_bay=2", "rail.mass_model=consistent"};
@@ -323,6 +362,8 @@ int main(void)
             agree(fast ? 200 : 80, k % 2 ? "railpad.stiffness=300e6" : "railpad.stiffness=10e6",
                   k / 2 ? "ballast.stiffness=3000e6" : "ballast.stiffness=50e6", WHEEL_HERTZ);
     agree(80, "railpad.stiffness=300e6", "ballast.stiffness=280e6", WHEEL_LINEAR);
+    give("rail.elements_per_bay=1");
+    give("rail.elements_per_bay=4");
     separation();
     voids("ballast.gap={station: [-1, 0, 1, 2], value: [0, 2e-4, 4e-4, 0]}", "voids to 0.4 mm");
     voids("ballast.tension=false", "ballast that only pushes");
