@@ -20,7 +20,7 @@ struct inputs {
     struct case_text text;
     uint64_t hash;                   /* of the case */
     int files;                       /* 1 with a prescribed force, else 4, and one of creep forces */
-    struct vxf file[4];              /* track, vehicle, left and right table */
+    struct vxf file[5];              /* track, vehicle, left and right table, creep forces */
     struct trk track;
     struct veh vehicle;
     struct ctab table[2];
