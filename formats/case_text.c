@@ -10,6 +10,7 @@ static const char *const spectra[] = {"none", "erri-low", "erri-high", NULL};
 static const char *const rails[] = {"left", "right", "both", NULL};
 static const char *const kinds[] = {"impulse", "sweep", "noise", NULL};
 static const char *const places[] = {"left", "right", "sleeper", NULL};
+static const char *const filters[] = {"none", "lowpass", NULL};
 static const char *const laws[] = {"hertz", "linear", NULL};
 static const char *const sides[] = {"both", "left", "right", NULL};
 
@@ -160,6 +161,7 @@ const struct yaml_schema case_text_schema = {
         {"contact", YAML_MAP, AT(contact), 0, 0, "", "{}", "wheel on rail", &contact_schema, NULL},
         {"sampling", YAML_NUM, AT(sampling), 1, 1e7, "Hz", "1000",
          "records a second; 1/step or more is every step", NULL, NULL},
+        {"filter", YAML_CHOICE, AT(filter), 0, 0, "", "none", "of the samples against aliases; extremes never have one", NULL, filters},
         {"channels", YAML_MAP, AT(channels), 0, 0, "", "{}", "groups of channels to record", &channels_schema, NULL},
         {"dip", YAML_LIST, AT(dip), 0, 0, "", "[]", "dips of the rails", &dip_schema, NULL},
         {"joint", YAML_LIST, AT(joint), 0, 0, "", "[]", "dipped rail joints", &joint_schema, NULL},

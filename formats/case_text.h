@@ -77,6 +77,7 @@ struct case_text {
         int64_t grid;                        /* strips and steps of FASTSIM */
     } contact;
     double sampling;                         /* Hz */
+    int filter;                              /* 1: samples are low-passed */
     struct { int group[RUN_GROUPS]; } channels;
     struct yaml_list dip, joint, flat;       /* of struct case_dip, case_joint, case_flat */
     struct {

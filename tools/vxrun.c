@@ -181,7 +181,7 @@ static void write_run(struct passage *p, const struct inputs *in, struct record 
     for (; !why && p->n < p->steps; full = record_step(r, p)) {
         if (full) {
             why = vxf_stream_block(&stream, r->held, r->series);
-            r->held = 0;
+            record_empty(r);
         }
         if (why || (failed = passage_step(p)))
             break;
@@ -189,6 +189,7 @@ static void write_run(struct passage *p, const struct inputs *in, struct record 
             save_state(p, in, NULL);
         show_progress(p);
     }
+    record_end(r, p->n);
     if (!why)
         why = vxf_stream_block(&stream, r->held, r->series);
     if (!why && !failed)
@@ -271,7 +272,7 @@ int main(int argc, char **argv)
         resume(&p, &in, &state);
     else
         cli_check("start", passage_start(&p, &residual));
-    cli_check("run", record_new(&r, &p, in.text.channels.group, every));
+    cli_check("run", record_new(&r, &p, in.text.channels.group, every, in.text.filter));
     describe(&in, &r, &head);
     first = p.n;
     started = seconds();

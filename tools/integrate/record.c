@@ -3,6 +3,7 @@
 #include "tools/contact/clones.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -48,7 +49,7 @@ static const char *allocate(struct record *r)
     for (int c = 0; c < RUN_CHANNELS; c++) {
         size_t element = vxf_type_size(run_channels[c].type);
         r->size[c] = run_count(&r->run, &run_channels[c]);
-        if (r->recorded[c] && !(r->buffer[c] = calloc(RECORD_BLOCK * (size_t)r->size[c] + 1, element)))
+        if (r->recorded[c] && !(r->buffer[c] = calloc(RECORD_ROOM * (size_t)r->size[c] + 1, element)))
             return REASON_MEMORY;
         if (r->recorded[c])
             r->series[n++] = r->buffer[c];
@@ -62,12 +63,26 @@ static const char *allocate(struct record *r)
     return r->moment ? NULL : REASON_MEMORY;
 }
 
-const char *record_new(struct record *r, const struct passage *p, const int *groups, int64_t every)
+static const char *begin_lowpass(struct record *r)
+{
+    r->lowpass = calloc((size_t)(2 * LOWPASS_HALF * r->every + 1), sizeof *r->lowpass);
+    r->weight = calloc(RECORD_ROOM, sizeof *r->weight);
+    if (!r->lowpass || !r->weight)
+        return REASON_MEMORY;
+    lowpass_weights(r->every, r->lowpass);
+    snprintf(r->run.filter, sizeof r->run.filter, "low-pass, sinc in a Hamming window of %lld steps, -6 dB at %.6g Hz, without delay",
+             (long long)(2 * LOWPASS_HALF * r->every + 1), 0.5 / (r->run.step * (double)r->every));
+    return NULL;
+}
+
+const char *record_new(struct record *r, const struct passage *p, const int *groups, int64_t every, int lowpass)
 {
     const char *why;
 
     *r = (struct record){.every = every};
     why = describe(r, p);
+    if (!why && lowpass && every > 1)
+        why = begin_lowpass(r);
     for (int c = 0; c < RUN_CHANNELS && !why; c++)
         r->recorded[c] = (run_channels[c].group == RUN_GROUPS || groups[run_channels[c].group]) && run_count(&r->run, &run_channels[c]) > 0;
     if (!why)
@@ -84,6 +99,8 @@ void record_free(struct record *r)
     for (int c = 0; c < RUN_EXTREMES; c++)
         free(r->extreme[c]);
     free(r->moment);
+    free(r->lowpass);
+    free(r->weight);
     free(r->wheelset_x);
     *r = (struct record){0};
 }
@@ -183,7 +200,7 @@ static void track_extremes(struct record *r, const struct passage *p)
 /* Where the present record of channel c begins; NULL where the channel is not kept. */
 static void *slot(const struct record *r, enum run_channel c)
 {
-    size_t at = (size_t)(r->held * r->size[c]) * vxf_type_size(run_channels[c].type);
+    size_t at = (size_t)(r->row * r->size[c]) * vxf_type_size(run_channels[c].type);
 
     return r->buffer[c] ? (char *)r->buffer[c] + at : NULL;
 }
@@ -282,13 +299,8 @@ static void sample_exciter(const struct record *r, const struct passage *p)
         put(r, RUN_PROBE, k, exciter_deflection(e, &p->rails, p->n, k));
 }
 
-int record_step(struct record *r, const struct passage *p)
+static void sample(struct record *r, const struct passage *p)
 {
-    wheel_extremes(r, p);
-    wheel_extremes_by_sleeper(r, p);
-    track_extremes(r, p);
-    if (p->n % r->every)
-        return 0;
     put(r, RUN_TIME, 0, p->time);
     put(r, RUN_STATION, 0, p->station);
     sample_wheels(r, p);
@@ -296,5 +308,116 @@ int record_step(struct record *r, const struct passage *p)
     sample_track(r, p);
     if (p->o.exciter)
         sample_exciter(r, p);
-    return ++r->held == RECORD_BLOCK;
+}
+
+/* ---- low-pass ---- */
+
+/* What leaps from contact to contact stays as it is, and so do time and place. */
+static int is_filtered(enum run_channel c)
+{
+    return c != RUN_TIME && c != RUN_STATION && (c < RUN_N || c > RUN_BODY) && c != RUN_BODY_OFFSET && c != RUN_BODY_HEADING;
+}
+
+/* Row `to` of channel c += w times row `from`, or a times itself where from is to. */
+static void blend(struct record *r, enum run_channel c, int64_t to, int64_t from, double w)
+{
+    const int64_t n = r->size[c];
+    double *x = r->buffer[c];
+    float *f = r->buffer[c];
+
+    if (run_channels[c].type == VXF_F64)
+        for (int64_t i = 0; i < n; i++)
+            x[to * n + i] += w * x[from * n + i];
+    else
+        for (int64_t i = 0; i < n; i++)
+            f[to * n + i] += (float)w * f[from * n + i];
+}
+
+/* The present step, in the last row, goes into row `to`, whose own step is `away` steps before it. */
+static void add_step(struct record *r, int64_t to, int64_t away)
+{
+    const int64_t now = RECORD_ROOM - 1;
+    const double w = r->lowpass[away + LOWPASS_HALF * r->every];
+
+    for (enum run_channel c = 0; c < RUN_CHANNELS; c++)
+        if (r->buffer[c] && is_filtered(c))
+            blend(r, c, to, now, w);
+        else if (r->buffer[c] && away == 0)
+            memcpy((char *)r->buffer[c] + (size_t)(to * r->size[c]) * vxf_type_size(run_channels[c].type),
+                   (char *)r->buffer[c] + (size_t)(now * r->size[c]) * vxf_type_size(run_channels[c].type),
+                   (size_t)r->size[c] * vxf_type_size(run_channels[c].type));
+    r->weight[to] += w;
+}
+
+/* The first record under way has all its steps: at the ends of the run these are fewer. */
+static void complete(struct record *r)
+{
+    const int64_t row = r->held++;
+
+    for (enum run_channel c = 0; c < RUN_CHANNELS; c++)
+        if (r->buffer[c] && is_filtered(c))
+            blend(r, c, row, row, 1 / r->weight[row] - 1);
+    r->begun--;
+    r->first += r->every;
+}
+
+static void clear(struct record *r, int64_t row)
+{
+    for (enum run_channel c = 0; c < RUN_CHANNELS; c++)
+        if (r->buffer[c]) {
+            const size_t size = (size_t)r->size[c] * vxf_type_size(run_channels[c].type);
+            memset((char *)r->buffer[c] + (size_t)row * size, 0, size);
+        }
+    r->weight[row] = 0;
+}
+
+/* Records whose window reaches this step begin, all take it in, and those it is the last of are complete. */
+static void filter_step(struct record *r, int64_t n)
+{
+    const int64_t half = LOWPASS_HALF * r->every;
+
+    if (r->held + r->begun == 0)
+        r->first = (n + r->every - 1) / r->every * r->every;
+    while (r->first + r->begun * r->every - half <= n)
+        clear(r, r->held + r->begun++);
+    for (int64_t k = 0; k < r->begun; k++)
+        add_step(r, r->held + k, n - (r->first + k * r->every));
+    while (r->begun && r->first + half <= n)
+        complete(r);
+}
+
+int record_step(struct record *r, const struct passage *p)
+{
+    wheel_extremes(r, p);
+    wheel_extremes_by_sleeper(r, p);
+    track_extremes(r, p);
+    if (!r->lowpass && p->n % r->every)
+        return 0;
+    r->row = r->lowpass ? RECORD_ROOM - 1 : r->held;
+    sample(r, p);
+    if (r->lowpass)
+        filter_step(r, p->n);
+    else
+        r->held++;
+    return r->held >= RECORD_BLOCK;
+}
+
+void record_empty(struct record *r)
+{
+    for (int c = 0; c < RUN_CHANNELS && r->begun; c++)
+        if (r->buffer[c]) {
+            const size_t size = (size_t)r->size[c] * vxf_type_size(run_channels[c].type);
+            memmove(r->buffer[c], (char *)r->buffer[c] + (size_t)r->held * size, (size_t)r->begun * size);
+        }
+    if (r->begun)
+        memmove(r->weight, r->weight + r->held, (size_t)r->begun * sizeof *r->weight);
+    r->held = 0;
+}
+
+/* Samples beyond the last step are none. */
+void record_end(struct record *r, int64_t n)
+{
+    while (r->begun && r->first <= n)
+        complete(r);
+    r->begun = 0;
 }
