@@ -12,7 +12,7 @@ Q = $(if $(V),,@)
 
 # Debian packages: what a build needs, what the tests need beside it.  OpenBLAS in its serial build: threads would only spin at start-up.
 PACKAGES  = gcc libc6-dev make pkg-config libyaml-dev libxxhash-dev libsuitesparse-dev libarpack2-dev libopenblas-serial-dev \
-            liblapacke-dev libhdf5-dev libosmesa6-dev libfreetype-dev libfontconfig-dev libpng-dev fonts-dejavu-core
+            liblapacke-dev libfftw3-dev libhdf5-dev libosmesa6-dev libfreetype-dev libfontconfig-dev libpng-dev fonts-dejavu-core
 TESTPACKAGES = perl mandoc
 
 # SuiteSparse 5 has no pkg-config file; hdf5 alone may be the MPI build.  Recursive variables: the run of make that installs
@@ -30,7 +30,7 @@ SANITIZE = -fsanitize=address,undefined
 ALL_CFLAGS = $(STD) $(CFLAGS) $(WARN) $(if $(WERROR),-Werror) $(if $(SAN),$(SANITIZE) -fno-omit-frame-pointer) \
              $(if $(COV),--coverage) -I. -DVX_VERSION='"$(VERSION)"'
 ALL_LDFLAGS = $(LDFLAGS) -Wl,--as-needed $(if $(SAN),$(SANITIZE)) $(if $(COV),--coverage)
-LIBS = -lyaml -lcholmod -lklu -lamd -lcolamd -lbtf -lsuitesparseconfig -larpack -llapacke -lopenblas -lOSMesa $(PKGLIBS) -lm
+LIBS = -lyaml -lcholmod -lklu -lamd -lcolamd -lbtf -lsuitesparseconfig -larpack -llapacke -lopenblas -lfftw3 -lOSMesa $(PKGLIBS) -lm
 
 # A .c directly in tools/ is a program; every other .c of tools/ and formats/ goes into one archive.
 PROGRAMS = $(patsubst tools/%.c,$(BUILD)/bin/%,$(wildcard tools/vx*.c))
@@ -85,7 +85,7 @@ $(BUILD)/tests/fault/%: $(BUILD)/tests/fault/%.o $(BUILD)/libvx.a
 -include $(patsubst %.o,%.d,$(ARCHIVED)) $(PROGRAMS:$(BUILD)/bin/%=$(BUILD)/tools/%.d) $(wildcard $(BUILD)/tests/*/*.d)
 
 # The kernels of the time step, of the contact search and of the rounding of heads.
-$(BUILD)/tools/integrate/%.o $(BUILD)/tools/creep/%.o $(BUILD)/tools/contact/%.o $(BUILD)/tools/vehicle/couplings.o $(BUILD)/tools/profile/opening.o: HOT = -O3
+$(BUILD)/tools/integrate/%.o $(BUILD)/tools/creep/%.o $(BUILD)/tools/contact/%.o $(BUILD)/tools/vehicle/couplings.o $(BUILD)/tools/vehicle/law.o $(BUILD)/tools/profile/opening.o: HOT = -O3
 
 deps: $(DEPS)               ## install the Debian packages that are missing
 
@@ -129,5 +129,7 @@ help:                       ## this list
 
 include pipelines/demo.mk
 include pipelines/yaw.mk
+include pipelines/following.mk
 include pipelines/track.mk
+include pipelines/vehicles.mk
 include tests/bench/bench.mk

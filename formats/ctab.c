@@ -10,8 +10,13 @@
 
 #define EVEN 1e-6        /* of a step: how far an evenly spaced axis may be off */
 
-const struct ctab_column_info ctab_columns[CTAB_N] = {
+const struct ctab_column_info ctab_columns[CTAB_ALL] = {
     [CTAB_HEIGHT] = {"height", "m"},
+    [CTAB_HEIGHT_U] = {"height_u", "1"},
+    [CTAB_HEIGHT_YAW] = {"height_yaw", "m/rad"},
+    [CTAB_HEIGHT_S] = {"height_s", "1"},
+    [CTAB_HEIGHT_ROLL] = {"height_roll", "m/rad"},
+    [CTAB_ROLL_Y] = {"roll_y", "m/rad"},
     [CTAB_RAIL_Y] = {"rail_y", "m"},
     [CTAB_RAIL_Z] = {"rail_z", "m"},
     [CTAB_WHEEL_Y] = {"wheel_y", "m"},
@@ -19,15 +24,10 @@ const struct ctab_column_info ctab_columns[CTAB_N] = {
     [CTAB_ANGLE] = {"angle", "rad"},
     [CTAB_RADIUS] = {"radius", "m"},
     [CTAB_RAIL_K] = {"rail_curvature", "1/m"},
-    [CTAB_WHEEL_K] = {"wheel_curvature", "1/m"},
     [CTAB_HERTZ_C] = {"hertz_c", "N/m^1.5"},
     [CTAB_HERTZ_A] = {"hertz_a", "m/N^(1/3)"},
     [CTAB_HERTZ_B] = {"hertz_b", "m/N^(1/3)"},
-    [CTAB_HEIGHT_U] = {"height_u", "1"},
-    [CTAB_HEIGHT_YAW] = {"height_yaw", "m/rad"},
-    [CTAB_HEIGHT_S] = {"height_s", "1"},
-    [CTAB_HEIGHT_ROLL] = {"height_roll", "m/rad"},
-    [CTAB_ROLL_Y] = {"roll_y", "m/rad"},
+    [CTAB_WHEEL_K] = {"wheel_curvature", "1/m"},
     [CTAB_SHAPE] = {"shape", "1"},
     [CTAB_BODY] = {"body", "1"},
 };
@@ -48,7 +48,7 @@ static const char *check_axis(const char *name, const double *x, int64_t n, int 
 
 static const char *check_columns(const struct vxf *f)
 {
-    for (int i = 0; i < CTAB_N; i++) {
+    for (int i = 0; i < CTAB_ALL; i++) {
         const char *name = ctab_columns[i].name, *unit = ctab_columns[i].unit;
         size_t n = strlen(name), m = strlen(unit);
         int length = 0;
@@ -110,35 +110,70 @@ static const char *check_first(const struct ctab *t)
     return NULL;
 }
 
-/* The links along one axis from the rows of a node to the next, which holds `held` rows. */
-static const char *check_links(const struct ctab *t, int64_t node, enum ctab_link axis, int held)
+/* need[k] of the branches of a cell, the rows they take of each corner. */
+static void branch_needs(const struct ctab *t, int32_t cell, uint8_t need[CTAB_CORNERS])
 {
-    for (int64_t r = t->first[node]; r < t->first[node + 1]; r++)
-        if (t->link[r * CTAB_LINKS + axis] > held)
-            return reason("array link: row %lld goes on in row %d of a node that holds %d", (long long)r, t->link[r * CTAB_LINKS + axis],
-                          held);
+    static const uint8_t end[CTAB_CORNERS];
+
+    memset(need, 0, CTAB_CORNERS);
+    for (const uint8_t *b = t->branch + (int64_t)cell * CTAB_CORNERS; memcmp(b, end, sizeof end); b += CTAB_CORNERS)
+        for (int k = 0; k < CTAB_CORNERS; k++)
+            need[k] = b[k] > need[k] ? b[k] : need[k];
+}
+
+/* Cells of u at one station and yaw; in[k]: the table goes on to corner k but for its u. */
+static const char *check_cells(const struct ctab *t, int64_t is, int64_t iy)
+{
+    const int64_t node = (is * t->yaws + iy) * t->us, next[4] = {0, t->us, t->yaws * t->us, (t->yaws + 1) * t->us};
+    const int in[4] = {1, iy + 1 < t->yaws, is + 1 < t->stations, iy + 1 < t->yaws && is + 1 < t->stations};
+    uint8_t need[CTAB_CORNERS] = {0};
+    int32_t last = -1;
+
+    for (int64_t iu = 0; iu < t->us; iu++) {
+        int32_t cell = t->cell[node + iu];
+        if (cell < 0 || cell >= t->branches)
+            return reason("array cell: cell %lld begins with branch %d of %lld", (long long)(node + iu), cell, (long long)t->branches);
+        if (cell != last)
+            branch_needs(t, cell, need);
+        last = cell;
+        for (int k = 0; k < CTAB_CORNERS; k++) {
+            const int32_t *first = t->first + node + iu + next[k >> 1] + (k & 1);
+            if (need[k] && (!in[k >> 1] || iu + (k & 1) == t->us || need[k] > first[1] - first[0]))
+                return reason("array branch: cell %lld needs %d rows of its corner %d", (long long)(node + iu), need[k], k);
+        }
+    }
     return NULL;
 }
 
-static const char *check_all_links(const struct ctab *t)
+static const char *check_all_cells(const struct ctab *t)
 {
     const char *why = NULL;
-    int64_t node = 0;
 
-    for (int64_t is = 0; is < t->stations; is++)
-        for (int64_t iy = 0; iy < t->yaws; iy++)
-            for (int64_t iu = 0; iu < t->us && !why; iu++, node++) {
-                int u = 0, yaw = 0, station = 0;
-                if (iu + 1 < t->us)
-                    ctab_node(t, is, iy, iu + 1, &u);
-                if (iy + 1 < t->yaws)
-                    ctab_node(t, is, iy + 1, iu, &yaw);
-                if (is + 1 < t->stations)
-                    ctab_node(t, is + 1, iy, iu, &station);
-                if (!(why = check_links(t, node, CTAB_LINK_U, u)) && !(why = check_links(t, node, CTAB_LINK_YAW, yaw)))
-                    why = check_links(t, node, CTAB_LINK_STATION, station);
-            }
+    for (int k = 0; k < CTAB_CORNERS; k++)
+        if (t->branches < 1 || t->branch[(t->branches - 1) * CTAB_CORNERS + k])
+            return "array branch: the last row is not zeros";
+    for (int64_t is = 0; is < t->stations && !why; is++)
+        for (int64_t iy = 0; iy < t->yaws && !why; iy++)
+            why = check_cells(t, is, iy);
     return why;
+}
+
+/* Rows and what is as many. */
+static const char *read_rows(struct ctab *t, const struct vxf *f)
+{
+    int64_t row[2] = {-1, CTAB_N}, rest[2], link[2], branch[2] = {-1, CTAB_CORNERS};
+    const char *why = vxf_get(f, "contact", VXF_F32, "mixed", 2, row, (const void **)&t->row);
+
+    t->rows = rest[0] = link[0] = row[0];
+    rest[1] = CTAB_REST;
+    link[1] = CTAB_LINKS;
+    if (why || (why = vxf_get(f, "rest", VXF_F32, "mixed", 2, rest, (const void **)&t->rest)) ||
+        (why = vxf_get(f, "body", VXF_U8, "1", 1, row, (const void **)&t->body)) ||
+        (why = vxf_get(f, "link", VXF_U8, "1", 2, link, (const void **)&t->link)) ||
+        (why = vxf_get(f, "branch", VXF_U8, "1", 2, branch, (const void **)&t->branch)))
+        return why;
+    t->branches = branch[0];
+    return NULL;
 }
 
 const char *ctab_read(struct ctab *t, const struct vxf *f)
@@ -154,21 +189,20 @@ const char *ctab_read(struct ctab *t, const struct vxf *f)
     if (t->stations < 1 || t->yaws < 1 || t->us < 2 || t->stations > INT32_MAX / CTAB_MOST / t->yaws / t->us)
         return reason("needs a station, a yaw and two u, and no more than int32 rows; has %lld, %lld and %lld", (long long)t->stations,
                       (long long)t->yaws, (long long)t->us);
-    int64_t firsts = nodes(t) + 1, row[2] = {-1, CTAB_N}, link[2] = {-1, CTAB_LINKS};
+    int64_t firsts = nodes(t) + 1, cells = nodes(t);
     if ((why = check_axis("station", t->station, t->stations, 0)) || (why = check_axis("yaw", t->yaw, t->yaws, 1)) ||
         (why = check_axis("u", t->u, t->us, 1)) ||
         (why = vxf_get(f, "first", VXF_I32, "1", 1, &firsts, (const void **)&t->first)) ||
-        (why = vxf_get(f, "contact", VXF_F32, "mixed", 2, row, (const void **)&t->row)))
-        return why;
-    t->rows = link[0] = row[0];
-    if ((why = vxf_get(f, "link", VXF_U8, "1", 2, link, (const void **)&t->link)) || (why = check_first(t)) || (why = check_all_links(t)))
+        (why = vxf_get(f, "cell", VXF_I32, "1", 1, &cells, (const void **)&t->cell)) || (why = read_rows(t, f)) ||
+        (why = check_first(t)) || (why = check_all_cells(t)))
         return why;
     return NULL;
 }
 
 const char *ctab_put(const struct ctab *t, struct vxf_out *o)
 {
-    const int64_t firsts = nodes(t) + 1, row[2] = {t->rows, CTAB_N}, link[2] = {t->rows, CTAB_LINKS};
+    const int64_t firsts = nodes(t) + 1, cells = nodes(t), row[2] = {t->rows, CTAB_N}, rest[2] = {t->rows, CTAB_REST};
+    const int64_t link[2] = {t->rows, CTAB_LINKS}, branch[2] = {t->branches, CTAB_CORNERS};
 
     vxf_put_key(o, "SIDE", "%c", t->side);
     vxf_put_key(o, "YAW_METHOD", "%s", t->yaw_method);
@@ -179,14 +213,18 @@ const char *ctab_put(const struct ctab *t, struct vxf_out *o)
     vxf_put_key(o, "RADIUS", "%.17g", t->radius);
     vxf_put_key(o, "RAIL_POSITION", "%.17g", t->rail_position);
     vxf_put_key(o, "WHEEL_POSITION", "%.17g", t->wheel_position);
-    for (int i = 0; i < CTAB_N; i++)
+    for (int i = 0; i < CTAB_ALL; i++)
         vxf_put_key(o, "COLUMN", "%s %s", ctab_columns[i].name, ctab_columns[i].unit);
     vxf_put(o, "station", VXF_F64, "m", 1, &t->stations, t->station);
     vxf_put(o, "yaw", VXF_F64, "rad", 1, &t->yaws, t->yaw);
     vxf_put(o, "u", VXF_F64, "m", 1, &t->us, t->u);
     vxf_put(o, "first", VXF_I32, "1", 1, &firsts, t->first);
+    vxf_put(o, "cell", VXF_I32, "1", 1, &cells, t->cell);
     vxf_put(o, "contact", VXF_F32, "mixed", 2, row, t->row);
+    vxf_put(o, "rest", VXF_F32, "mixed", 2, rest, t->rest);
+    vxf_put(o, "body", VXF_U8, "1", 1, &t->rows, t->body);
     vxf_put(o, "link", VXF_U8, "1", 2, link, t->link);
+    vxf_put(o, "branch", VXF_U8, "1", 2, branch, t->branch);
     return o->why;
 }
 
@@ -194,5 +232,7 @@ void ctab_free(struct ctab *t)
 {
     room_release(&t->store);
     free(t->row_store);
+    free(t->rest_store);
+    free(t->body_store);
     *t = (struct ctab){0};
 }

@@ -13,6 +13,7 @@ struct frf_place {
     char on[8];                   /* left, right, both (rails, each loaded by the same force), or sleeper */
     char at[12];                  /* sleeper, midspan or station */
     double x;                     /* m */
+    int lateral;                  /* sideways, else vertical */
 };
 
 struct frf {
@@ -23,6 +24,8 @@ struct frf {
     const double *H;              /* [n][2] real and imaginary part, in the unit of its quantity */
     const double *hermite;        /* [n][2] the same by equations 7 to 9 of Lau and Hoff 2018; [0] where nothing differs */
     int64_t hermites;             /* n or 0 */
+    const double *coherence;      /* 1 [n] of a receptance estimated from histories, 0 to 1; [0] where there is none */
+    int64_t coherences;           /* n or 0 */
     void *store;
 };
 

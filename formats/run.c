@@ -36,7 +36,7 @@ const struct run_channel_info run_channels[RUN_CHANNELS] = {
     [RUN_BODY] = {"contact.body", "1", RUN_WHEELS, VXF_F64, PER_CONTACT, "number of the rail body, from 0"},
     [RUN_BODY_Q] = {"body.q", "m,rad", RUN_BODIES, VXF_F64, PER_BODY, "displacement from rest in the body's own frame, x y z roll pitch yaw"},
     [RUN_BODY_V] = {"body.v", "m/s,rad/s", RUN_BODIES, VXF_F64, PER_BODY, "its rate; of a wheelset's pitch: spin beyond -v/r0"},
-    [RUN_BODY_A] = {"body.a", "m/s2,rad/s2", RUN_BODIES, VXF_F64, PER_BODY, "acceleration in space: that of the curved frame included"},
+    [RUN_BODY_A] = {"body.a", "m/s2,rad/s2", RUN_BODIES, VXF_F64, PER_BODY, "as felt: in space, in axes rolled by the cant, gravity as on level track"},
     [RUN_BODY_OFFSET] = {"body.offset", "m", RUN_BODIES, VXF_F64, {RUN_PER_BODY}, "the frame's origin right of the tangent at the alignment's beginning"},
     [RUN_BODY_HEADING] = {"body.heading", "rad", RUN_BODIES, VXF_F64, {RUN_PER_BODY}, "heading of the frame against that tangent"},
     [RUN_PAD] = {"pad.F", "N", RUN_PADS, VXF_F32, PER_PAD, "force of the railpad on the sleeper, dead weight included"},
@@ -47,6 +47,8 @@ const struct run_channel_info run_channels[RUN_CHANNELS] = {
     [RUN_NODE_Z] = {"rail.z", "m", RUN_RAILS, VXF_F32, PER_NODE, "deflection of the rail at its nodes"},
     [RUN_NODE_A] = {"rail.a", "m/s2", RUN_RAILS, VXF_F32, PER_NODE, "vertical acceleration of the rail"},
     [RUN_NODE_M] = {"rail.M", "N.m", RUN_RAILS, VXF_F32, PER_NODE, "bending moment of the rail, positive with tension in the foot"},
+    [RUN_FORCE] = {"force.F", "N", RUN_GROUPS, VXF_F64, {RUN_PER_FORCE}, "prescribed force, down, on each rail it acts on"},
+    [RUN_PROBE] = {"probe.z", "m", RUN_GROUPS, VXF_F64, {RUN_PER_PROBE}, "deflection there"},
 };
 
 const struct run_channel_info run_extremes[RUN_EXTREMES] = {
@@ -82,6 +84,10 @@ static int64_t size_of(const struct run *r, enum run_dim dim)
         return r->nodes;
     case RUN_PER_BALLAST:
         return 3;
+    case RUN_PER_FORCE:
+        return r->forces;
+    case RUN_PER_PROBE:
+        return r->probes;
     case RUN_END:
         break;
     }
@@ -120,7 +126,7 @@ struct member {
     const void **data;
 };
 
-enum { MEMBERS = 15 };
+enum { MEMBERS = 20 };
 
 static void members(struct run *r, struct member *m)
 {
@@ -140,6 +146,11 @@ static void members(struct run *r, struct member *m)
         {"zone.name", "text", VXF_U8, &r->zones, 32, 0, (const void **)&r->zone_name},
         {"curve.x", "m", VXF_F64, &r->curves, 0, 0, (const void **)&r->curve_x},
         {"curve.curvature", "1/m", VXF_F64, &r->curves, 0, 0, (const void **)&r->curvature},
+        {"force.x", "m", VXF_F64, &r->forces, 0, 0, (const void **)&r->force_x},
+        {"force.on", "1", VXF_I64, &r->forces, 0, 0, (const void **)&r->force_on},
+        {"probe.x", "m", VXF_F64, &r->probes, 0, 0, (const void **)&r->probe_x},
+        {"probe.on", "1", VXF_I64, &r->probes, 0, 0, (const void **)&r->probe_on},
+        {"probe.held", "m/N", VXF_F64, &r->probes, 0, 0, (const void **)&r->probe_held},
     };
 
     memcpy(m, list, sizeof list);
@@ -162,6 +173,7 @@ void run_put(const struct run *r, const int *recorded, struct vxf_out *o)
     members(&copy, m);
     vxf_put_key(o, "NAME", "%s", r->name);
     vxf_put_key(o, "ROUTE", "%s", r->route);
+    vxf_put_key(o, "FILTER", "%s", *r->filter ? r->filter : "none");
     vxf_put_key(o, "SPEED", "%.17g", r->speed);
     vxf_put_key(o, "STEP", "%.17g", r->step);
     vxf_put_key(o, "FRICTION", "%.17g", r->friction);
@@ -187,11 +199,12 @@ static const char *read_keys(struct run *r, const struct vxf *f)
     const char *why;
 
     if ((why = vxf_key(f, "NAME", r->name, sizeof r->name)) || (why = vxf_key(f, "ROUTE", r->route, sizeof r->route)) ||
+        (why = vxf_key(f, "FILTER", r->filter, sizeof r->filter)) ||
         (why = vxf_number(f, "SPEED", &r->speed)) || (why = vxf_number(f, "STEP", &r->step)) ||
         (why = vxf_number(f, "FRICTION", &r->friction)) || (why = vxf_number(f, "GRAVITY", &r->gravity)) ||
         (why = vxf_number(f, "RAIL_SPACING", &r->rail_spacing)))
         return why;
-    return r->speed > 0 && r->step > 0 ? NULL : "header: speed and step must be greater than 0";
+    return r->speed >= 0 && r->step > 0 ? NULL : "header: speed must not be negative, step be greater than 0";
 }
 
 static const char *read_series(struct run *r, struct vxf *f)
@@ -230,6 +243,14 @@ static const char *check_indices(const struct run *r)
     for (int64_t i = 0; i < r->zones; i++)
         if (!memchr(r->zone_name[i], 0, 32))
             return "array zone.name: a name does not end";
+    if (r->wheelsets > 0 && !(r->speed > 0))
+        return "header: speed must be greater than 0";
+    for (int64_t i = 0; i < r->forces; i++)
+        if (r->force_on[i] < RUN_ON_LEFT || r->force_on[i] > RUN_ON_BOTH)
+            return reason("array force.on: %lld is neither rail, nor both", (long long)r->force_on[i]);
+    for (int64_t i = 0; i < r->probes; i++)
+        if (r->probe_on[i] < RUN_ON_LEFT || r->probe_on[i] > RUN_ON_SLEEPER || r->probe_on[i] == RUN_ON_BOTH)
+            return reason("array probe.on: %lld is neither a rail nor a sleeper", (long long)r->probe_on[i]);
     return NULL;
 }
 
@@ -239,7 +260,7 @@ const char *run_read(struct run *r, struct vxf *f)
     const char *why;
 
     memset(r, 0, sizeof *r);
-    r->wheelsets = r->bodies = r->sleepers = r->nodes = r->zones = r->curves = -1;
+    r->wheelsets = r->bodies = r->sleepers = r->nodes = r->zones = r->curves = r->forces = r->probes = -1;
     r->records = f->records;
     r->complete = f->complete;
     members(r, m);

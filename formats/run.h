@@ -9,13 +9,16 @@
 
 enum { RUN_CONTACTS = 3 };             /* contacts recorded per wheel, the most loaded first */
 
+/* What a prescribed force acts on, and whose motion is recorded. */
+enum run_on { RUN_ON_LEFT, RUN_ON_RIGHT, RUN_ON_BOTH, RUN_ON_SLEEPER };
+
 /* Groups of series, chosen by the case. */
 enum run_group { RUN_WHEELS, RUN_BODIES, RUN_PADS, RUN_BALLAST, RUN_SLEEPERS, RUN_RAILS, RUN_GROUPS };
 extern const char *const run_group_name[RUN_GROUPS + 1];
 
 /* Every series of a run: its group, name, unit, element type and shape.  Dims are named by what they count. */
 enum run_dim { RUN_END, RUN_PER_WHEELSET, RUN_PER_SIDE, RUN_PER_CONTACT, RUN_PER_BODY, RUN_PER_DOF, RUN_PER_SLEEPER,
-               RUN_PER_NODE, RUN_PER_BALLAST };
+               RUN_PER_NODE, RUN_PER_BALLAST, RUN_PER_FORCE, RUN_PER_PROBE };
 enum run_channel {
     RUN_TIME, RUN_STATION,
     RUN_Q, RUN_Y, RUN_T, RUN_CHECK, RUN_MX, RUN_RAIL_Y, RUN_RAIL_Z,
@@ -24,6 +27,7 @@ enum run_channel {
     RUN_PAD, RUN_BALLAST_F,
     RUN_SLEEPER_Z, RUN_SLEEPER_ROLL, RUN_SLEEPER_A,
     RUN_NODE_Z, RUN_NODE_A, RUN_NODE_M,
+    RUN_FORCE, RUN_PROBE,
     RUN_CHANNELS
 };
 struct run_channel_info {
@@ -43,6 +47,7 @@ extern const struct run_channel_info run_extremes[RUN_EXTREMES];
 struct run {
     char name[64];
     char route[16];                    /* through or diverging */
+    char filter[128];                  /* of the samples: none, or what it is */
     double speed;                      /* m/s */
     double step;                       /* s */
     double friction;                   /* 1 */
@@ -50,6 +55,7 @@ struct run {
     double rail_spacing;               /* m */
     int complete;
     int64_t records, wheelsets, bodies, sleepers, nodes, zones, curves;
+    int64_t forces, probes;            /* a prescribed force or none, and places whose motion is kept */
     const double *wheelset_x;          /* m [wheelsets] from the front one, so 0 first, then negative */
     const double *static_q;            /* N [wheelsets][2] wheel loads at rest */
     const double *radius;              /* m [wheelsets] */
@@ -64,6 +70,11 @@ struct run {
     const char (*zone_name)[32];       /* [zones] */
     const int64_t *pad_zone;           /* [2][sleepers] from 1; 0 in none */
     const double *curve_x, *curvature; /* m, 1/m [curves] as in the track */
+    const double *force_x;             /* m [forces] */
+    const int64_t *force_on;           /* [forces] RUN_ON_LEFT, RUN_ON_RIGHT or RUN_ON_BOTH: each rail with the whole force */
+    const double *probe_x;             /* m [probes] */
+    const int64_t *probe_on;           /* [probes] RUN_ON_LEFT, RUN_ON_RIGHT or RUN_ON_SLEEPER */
+    const double *probe_held;          /* m/N [probes] of the deflection over the force, what the element gives with held ends */
     const void *channel[RUN_CHANNELS]; /* [records][dims], double or float by run_channels; NULL where not recorded */
     const double *extreme[RUN_EXTREMES]; /* NULL in a run that is not complete */
 };

@@ -35,9 +35,13 @@ static const char *check_numbers(const struct trk *t)
            (why = increasing("sleeper.x", t->sleeper_x, s)) ||
            (why = increasing("check.x", t->check_x, t->checks)) ||
            (why = increasing("curve.x", t->curve_x, t->curves)) ||
+           (why = increasing("cant.x", t->cant_x, t->cants)) ||
            (why = at_least("lateral.m", t->lateral_m, 1, 0, !(*t->lateral_k > 0))) ||
            (why = at_least("lateral.k", t->lateral_k, 1, 0, 1)) ||
            (why = at_least("lateral.c", t->lateral_c, 1, 0, 1)) ||
+           (why = at_least("sleeper.lateral.k", t->sleeper_lateral_k, 1, 0, 1)) ||
+           (why = at_least("sleeper.lateral.c", t->sleeper_lateral_c, 1, 0, 1)) ||
+           (why = at_least("running.m", t->running_m, 1, 0, 1)) ||
            (why = at_least("check.k", t->check_k, 1, 0, 1)) ||
            (why = at_least("check.c", t->check_c, 1, 0, 1)) ||
            (why = increasing("bending.x", t->bending_x, t->knots)) ||
@@ -52,8 +56,54 @@ static const char *check_numbers(const struct trk *t)
            (why = at_least("pad.k", t->pad_k, TRK_RAILS * s, 0, 1)) ||
            (why = at_least("pad.c", t->pad_c, TRK_RAILS * s, 0, 1)) ||
            (why = at_least("ballast.k", t->ballast_k, TRK_BALLAST * s, 0, 1)) ||
-           (why = at_least("ballast.c", t->ballast_c, TRK_BALLAST * s, 0, 1)));
+           (why = at_least("ballast.c", t->ballast_c, TRK_BALLAST * s, 0, 1)) ||
+           (why = at_least("ballast.gap", t->ballast_gap, TRK_BALLAST * s, 0, 1)));
     return why;
+}
+
+static const char *check_spatial_numbers(const struct trk *t)
+{
+    const int64_t n = t->nodes, s = t->sleepers;
+    const char *why;
+
+    (void)((why = increasing("bending.lateral.x", t->lateral_bending_x, t->lateral_knots)) ||
+           (why = at_least("bending.lateral", t->lateral_bending, TRK_RAILS * t->lateral_knots, 0, 0)) ||
+           (why = at_least("rail.yaw", t->rail_yaw, TRK_RAILS * n, 0, 1)) ||
+           (why = at_least("rail.twist", t->rail_twist, TRK_RAILS * n, 0, 1)) ||
+           (why = at_least("rail.lateral.shear", t->rail_lateral_shear, TRK_RAILS * (n - 1), 0, 1)) ||
+           (why = at_least("rail.lateral.rotary", t->rail_lateral_rotary, TRK_RAILS * (n - 1), 0, 1)) ||
+           (why = at_least("rail.torsion", t->rail_torsion, TRK_RAILS * (n - 1), 0, 0)) ||
+           (why = at_least("rail.polar", t->rail_polar, TRK_RAILS * (n - 1), 0, 1)) ||
+           (why = at_least("sleeper.yaw", t->sleeper_yaw, s, 0, 0)) ||
+           (why = at_least("pad.lateral.k", t->pad_lateral_k, TRK_RAILS * s, 0, 1)) ||
+           (why = at_least("pad.lateral.c", t->pad_lateral_c, TRK_RAILS * s, 0, 1)) ||
+           (why = at_least("pad.width", t->pad_width, 1, 0, 1)) ||
+           (why = at_least("pad.length", t->pad_length, 1, 0, 1)) ||
+           (why = at_least("ballast.lateral.k", t->ballast_lateral_k, s, 0, 1)) ||
+           (why = at_least("ballast.lateral.c", t->ballast_lateral_c, s, 0, 1)) ||
+           (why = at_least("ballast.yaw.k", t->ballast_yaw_k, s, 0, 1)) ||
+           (why = at_least("ballast.yaw.c", t->ballast_yaw_c, s, 0, 1)) ||
+           (why = at_least("check.bending", t->check_bending, 2, 0, t->check_nodes == 0)) ||
+           (why = at_least("check.torsion", t->check_torsion, 1, 0, t->check_nodes == 0)) ||
+           (why = at_least("check.density", t->check_density, 1, 0, t->check_nodes == 0)) ||
+           (why = at_least("check.polar", t->check_polar, 1, 0, t->check_nodes == 0)) ||
+           (why = at_least("check.pad.k", t->check_pad_k, 2, 0, 1)) ||
+           (why = at_least("check.pad.c", t->check_pad_c, 2, 0, 1)));
+    return why;
+}
+
+static const char *check_spatial(const struct trk *t)
+{
+    if (t->lateral_knots < 1)
+        return "array bending.lateral.x: no knot, one at least is wanted";
+    if (t->nodes < 2)
+        return "array x: a spatial track of one rail node is none";
+    if (t->check_nodes == 1)
+        return "array check.node: a check rail of one node is no beam";
+    for (int64_t k = 0; k < t->check_nodes; k++)
+        if (t->check_node[k] < 0 || t->check_node[k] >= t->nodes || (k && t->check_node[k] != t->check_node[k - 1] + 1))
+            return reason("array check.node: %lld at %lld is out of order or range", (long long)t->check_node[k], (long long)k);
+    return check_spatial_numbers(t);
 }
 
 static const char *check_sleepers(const struct trk *t)
@@ -71,6 +121,11 @@ static const char *check_sleepers(const struct trk *t)
         if (t->pad_zone[k] < 0 || t->pad_zone[k] > t->zones)
             return reason("array pad.zone: %lld at %lld, but there are %lld zones", (long long)t->pad_zone[k], (long long)k,
                           (long long)t->zones);
+    for (int64_t k = 0; k < TRK_BALLAST * t->sleepers; k++) {
+        const int64_t state = t->ballast_state[k];
+        if (state < TRK_BONDED || state > TRK_OPEN || (state == TRK_BONDED && t->ballast_gap[k] > 0))
+            return reason("array ballast.state: %lld at %lld over a gap of %g m", (long long)state, (long long)k, t->ballast_gap[k]);
+    }
     for (int64_t z = 0; z < t->zones; z++)
         if (!memchr(t->zone_name[z], 0, sizeof t->zone_name[z]))
             return reason("array zone.name: no end at %lld", (long long)z);
@@ -80,17 +135,23 @@ static const char *check_sleepers(const struct trk *t)
 /* Degrees of freedom come by node and bay, without a gap. */
 static const char *check_dofs(const struct trk *t)
 {
-    int64_t dof = 0, k = 0;
+    int64_t dof = 0, k = 0, c = 0;
 
     for (int64_t i = 0; i < t->nodes; i++) {
         if (t->node_dof[i] != dof)
             return reason("array node.dof: %lld at %lld should be %lld", (long long)t->node_dof[i], (long long)i, (long long)dof);
-        dof += 4;                          /* wl tl wr tr */
+        dof += TRK_RAILS * t->rail_dofs;
+        if (c < t->check_nodes && t->check_node[c] == i) {
+            if (t->check_dof[c] != dof)
+                return reason("array check.dof: %lld at %lld should be %lld", (long long)t->check_dof[c], (long long)c, (long long)dof);
+            dof += t->rail_dofs;
+            c++;
+        }
         if (k < t->sleepers && t->sleeper_node[k] == i) {
             if (t->sleeper_dof[k] != dof)
                 return reason("array sleeper.dof: %lld at %lld should be %lld", (long long)t->sleeper_dof[k], (long long)k,
                               (long long)dof);
-            dof += 2;                      /* z roll */
+            dof += t->sleeper_dofs;
             k++;
         }
     }
@@ -160,7 +221,9 @@ const char *trk_check(const struct trk *t, int64_t entries)
         return reason("rail.spacing: %g must be positive", t->rail_spacing);
     if (*t->check_rail != TRK_LEFT && *t->check_rail != TRK_RIGHT)
         return reason("array check.rail: %lld is no side", (long long)*t->check_rail);
-    if ((why = check_numbers(t)) || (why = check_sleepers(t)) || (why = check_dofs(t)) || (why = check_columns(t, entries)))
+    if ((why = check_numbers(t)) || (trk_is_spatial(t) && (why = check_spatial(t))) ||
+        (why = check_sleepers(t)) || (why = check_dofs(t)) ||
+        (why = check_columns(t, entries)))
         return why;
     int64_t *next = calloc((size_t)t->dofs, sizeof *next);
     if (!next)

@@ -1,4 +1,4 @@
-/* The schema of a track input and the checks between its keys. */
+/* What the keys of a track input owe each other, and its reader. */
 #include "formats/trk_text.h"
 
 #include <math.h>
@@ -6,135 +6,6 @@
 
 #include "formats/reason.h"
 #include "formats/trk.h"
-
-#define AT(type, member) offsetof(struct type, member)
-
-static const char *const MODELS[] = {"fixed", "moving_mass", NULL};
-static const char *const ROLLS[] = {"free", "held", NULL};
-static const char *const MASS_MODELS[] = {"lumped", "consistent", NULL};
-static const char *const BEAMS[] = {"euler", "timoshenko", NULL};
-static const char *const SIDES[] = {"left", "right", NULL};
-static const char *const RAILS[] = {"left", "right", "both", NULL};
-
-static const struct yaml_field LATERAL_FIELDS[] = {
-    {"mass", YAML_NUM, AT(trk_text_lateral, mass), YAML_POSITIVE, 1e6, "kg", NULL, "of the rail that moves with a wheel", NULL, NULL},
-    {"stiffness", YAML_NUM, AT(trk_text_lateral, stiffness), YAML_POSITIVE, 1e12, "N/m", NULL, "between it and the ground", NULL, NULL},
-    {"damping", YAML_NUM, AT(trk_text_lateral, damping), 0, 1e9, "N s/m", "0", "likewise", NULL, NULL},
-    {0}};
-
-static const struct yaml_schema LATERAL = {"lateral", sizeof(struct trk_text_lateral), LATERAL_FIELDS};
-
-static const struct yaml_field OWN_FIELDS[] = {
-    {"bending_stiffness", YAML_TABLE, AT(trk_text_own, bending_stiffness), YAML_POSITIVE, 1e12, "N m2", YAML_ABSENT,
-     "of this rail, instead of that of both", NULL, NULL},
-    {0}};
-
-static const struct yaml_schema OWN = {"rail", sizeof(struct trk_text_own), OWN_FIELDS};
-
-static const struct yaml_field RAIL_FIELDS[] = {
-    {"bending_stiffness", YAML_TABLE, AT(trk_text_rail, bending_stiffness), YAML_POSITIVE, 1e12, "N m2", NULL,
-     "vertical bending stiffness EI of each rail; it may vary within a bay", NULL, NULL},
-    {"mass", YAML_NUM, AT(trk_text_rail, mass), YAML_POSITIVE, 1e5, "kg/m", NULL, "of each rail", NULL, NULL},
-    {"pitch_inertia", YAML_NUM, AT(trk_text_rail, pitch_inertia), YAML_POSITIVE, 1e5, "kg m2", YAML_ABSENT,
-     "of each rail node, lumped only, where it must be given: it sets the pinned-pinned frequency", NULL, NULL},
-    {"shear_stiffness", YAML_NUM, AT(trk_text_rail, shear_stiffness), YAML_POSITIVE, 1e15, "N", YAML_ABSENT,
-     "kappa G A of each rail, timoshenko only, where it must be given", NULL, NULL},
-    {"rotary_inertia", YAML_NUM, AT(trk_text_rail, rotary_inertia), YAML_POSITIVE, 1e5, "kg m", YAML_ABSENT,
-     "rho I of each rail, pitch inertia of a metre of it, timoshenko with consistent mass only, where it must be given", NULL, NULL},
-    {"mass_model", YAML_CHOICE, AT(trk_text_rail, mass_model), 0, 0, "", "lumped", "mass at the nodes, or along the elements", NULL, MASS_MODELS},
-    {"beam", YAML_CHOICE, AT(trk_text_rail, beam), 0, 0, "", "euler", "beam theory", NULL, BEAMS},
-    {"elements_per_bay", YAML_INT, AT(trk_text_rail, elements_per_bay), 1, 20, "", "1", "beam elements between sleepers", NULL,
-     NULL},
-    {"left", YAML_MAP, AT(trk_text_rail, left), 0, 0, "", YAML_ABSENT, "what is different in the left rail", &OWN, NULL},
-    {"right", YAML_MAP, AT(trk_text_rail, right), 0, 0, "", YAML_ABSENT, "what is different in the right rail", &OWN, NULL},
-    {"lateral", YAML_MAP, AT(trk_text_rail, lateral), 0, 0, "", YAML_ABSENT,
-     "each rail yields sideways under each wheel by itself, a moving mass as one; absent: not at all", &LATERAL, NULL},
-    {0}};
-
-static const struct yaml_field SLEEPER_FIELDS[] = {
-    {"spacing", YAML_NUM, AT(trk_text_sleeper, spacing), 0.1, 10, "m", NULL, "centre to centre", NULL, NULL},
-    {"mass", YAML_TABLE, AT(trk_text_sleeper, mass), YAML_POSITIVE, 1e6, "kg", NULL, "of each sleeper", NULL, NULL},
-    {"roll_inertia", YAML_TABLE, AT(trk_text_sleeper, roll_inertia), YAML_POSITIVE, 1e7, "kg m2", NULL,
-     "about the track's direction, through the sleeper's centre", NULL, NULL},
-    {"roll", YAML_CHOICE, AT(trk_text_sleeper, roll), 0, 0, "", "free", "whether it rolls; that of a moving mass may be held", NULL, ROLLS},
-    {"length", YAML_TABLE, AT(trk_text_sleeper, length), 0.1, 20, "m", NULL, "across the track", NULL, NULL},
-    {"centre", YAML_TABLE, AT(trk_text_sleeper, centre), -10, 10, "m", "0", "lateral position of its centre, right of the track's",
-     NULL, NULL},
-    {"pitch_inertia", YAML_NUM, AT(trk_text_sleeper, pitch_inertia), 0, 1e7, "kg m2", "0",
-     "about its own length; no part of the vertical track", NULL, NULL},
-    {0}};
-
-static const struct yaml_field PAD_FIELDS[] = {
-    {"stiffness", YAML_TABLE, AT(trk_text_pad, stiffness), YAML_POSITIVE, 1e12, "N/m", NULL, "of each railpad", NULL, NULL},
-    {"damping", YAML_TABLE, AT(trk_text_pad, damping), 0, 1e9, "N s/m", NULL, "of each railpad", NULL, NULL},
-    {0}};
-
-static const struct yaml_field BALLAST_FIELDS[] = {
-    {"stiffness", YAML_TABLE, AT(trk_text_ballast, stiffness), YAML_POSITIVE, 1e12, "N/m", NULL,
-     "of a whole sleeper; left, middle and right each take a third, of a moving mass left and right a half", NULL, NULL},
-    {"damping", YAML_TABLE, AT(trk_text_ballast, damping), 0, 1e9, "N s/m", NULL, "of a whole sleeper, likewise", NULL, NULL},
-    {"edge", YAML_NUM, AT(trk_text_ballast, edge), 0, 10, "m", "0.35", "outer springs, from the ends of the sleeper", NULL, NULL},
-    {0}};
-
-static const struct yaml_field CHECK_FIELDS[] = {
-    {"rail", YAML_CHOICE, AT(trk_text_check, rail), 0, 0, "", NULL, "beside which rail it stands", NULL, SIDES},
-    {"play", YAML_TABLE, AT(trk_text_check, play), -0.1, 1, "m", NULL,
-     "free play of the flange's back, wheelset centred, over station; no check rail beyond the ends", NULL, NULL},
-    {"stiffness", YAML_NUM, AT(trk_text_check, stiffness), YAML_POSITIVE, 1e12, "N/m", NULL, "lateral, against the ground", NULL, NULL},
-    {"damping", YAML_NUM, AT(trk_text_check, damping), 0, 1e9, "N s/m", "0", "lateral, against the ground", NULL, NULL},
-    {0}};
-
-static const struct yaml_field CURVE_FIELDS[] = {
-    {"from", YAML_NUM, AT(trk_text_curve, from), -1e6, 1e6, "m", NULL, "station from which it holds, to the next one", NULL, NULL},
-    {"curvature", YAML_NUM, AT(trk_text_curve, curvature), -1, 1, "1/m", NULL, "positive to the right", NULL, NULL},
-    {0}};
-
-static const struct yaml_field ZONE_PAD_FIELDS[] = {
-    {"stiffness", YAML_NUM, AT(trk_text_zone_pad, stiffness), YAML_POSITIVE, 1e12, "N/m", YAML_ABSENT, "instead of the reference",
-     NULL, NULL},
-    {"damping", YAML_NUM, AT(trk_text_zone_pad, damping), YAML_POSITIVE, 1e9, "N s/m", YAML_ABSENT, "instead of the reference", NULL,
-     NULL},
-    {0}};
-
-static const struct yaml_schema RAIL = {"rail", sizeof(struct trk_text_rail), RAIL_FIELDS};
-static const struct yaml_schema SLEEPER = {"sleeper", sizeof(struct trk_text_sleeper), SLEEPER_FIELDS};
-static const struct yaml_schema PAD = {"railpad", sizeof(struct trk_text_pad), PAD_FIELDS};
-static const struct yaml_schema BALLAST = {"ballast", sizeof(struct trk_text_ballast), BALLAST_FIELDS};
-static const struct yaml_schema CHECK = {"check_rail", sizeof(struct trk_text_check), CHECK_FIELDS};
-static const struct yaml_schema CURVE = {"curve", sizeof(struct trk_text_curve), CURVE_FIELDS};
-static const struct yaml_schema ZONE_PAD = {"railpad", sizeof(struct trk_text_zone_pad), ZONE_PAD_FIELDS};
-
-static const struct yaml_field ZONE_FIELDS[] = {
-    {"name", YAML_TEXT, AT(trk_text_zone, name), 0, 0, "", NULL, "of the zone, up to 31 letters", NULL, NULL},
-    {"sleepers", YAML_PAIRS, AT(trk_text_zone, sleepers), -1e6, 1e6, "", NULL, "numbers of the first and the last, each range a pair",
-     NULL, NULL},
-    {"rail", YAML_CHOICE, AT(trk_text_zone, rail), 0, 0, "", "both", "whose railpads", NULL, RAILS},
-    {"railpad", YAML_MAP, AT(trk_text_zone, railpad), 0, 0, "", YAML_ABSENT, "of this zone", &ZONE_PAD, NULL},
-    {0}};
-
-static const struct yaml_schema ZONE = {"zone", sizeof(struct trk_text_zone), ZONE_FIELDS};
-
-static const struct yaml_field TRACK_FIELDS[] = {
-    {"name", YAML_TEXT, AT(trk_text, name), 0, 0, "", NULL, "of the track, up to 63 letters", NULL, NULL},
-    {"model", YAML_CHOICE, AT(trk_text, model), 0, 0, "", "fixed", "fixed in space, or one sleeper and its rails that follow a wheelset", NULL,
-     MODELS},
-    {"from", YAML_NUM, AT(trk_text, from), -1e6, 1e6, "m", NULL, "station where the bay of the first sleeper begins", NULL, NULL},
-    {"length", YAML_NUM, AT(trk_text, length), YAML_POSITIVE, 1e5, "m", NULL, "a whole number of sleeper spacings; of a moving mass one", NULL, NULL},
-    {"first_sleeper", YAML_NUM, AT(trk_text, first_sleeper), -1e6, 1e6, "m", "0", "station where the bay of sleeper number 1 begins",
-     NULL, NULL},
-    {"rail_spacing", YAML_NUM, AT(trk_text, rail_spacing), 0.1, 10, "m", "1.5", "between the contact lines", NULL, NULL},
-    {"rail", YAML_MAP, AT(trk_text, rail), 0, 0, "", NULL, "both rails", &RAIL, NULL},
-    {"sleeper", YAML_MAP, AT(trk_text, sleeper), 0, 0, "", NULL, "a rigid bar", &SLEEPER, NULL},
-    {"railpad", YAML_MAP, AT(trk_text, railpad), 0, 0, "", NULL, "the reference, where no zone says otherwise", &PAD, NULL},
-    {"ballast", YAML_MAP, AT(trk_text, ballast), 0, 0, "", NULL, "three springs and dampers under a sleeper", &BALLAST, NULL},
-    {"check_rail", YAML_LIST, AT(trk_text, check_rail), 0, 0, "", YAML_ABSENT, "one at most: guides the flange's back at a crossing", &CHECK,
-     NULL},
-    {"curve", YAML_LIST, AT(trk_text, curve), 0, 0, "", YAML_ABSENT, "curvature along the track; straight before the first", &CURVE,
-     NULL},
-    {"zone", YAML_LIST, AT(trk_text, zone), 0, 0, "", YAML_ABSENT, "railpads of their own", &ZONE, NULL},
-    {0}};
-
-const struct yaml_schema trk_text_schema = {"track", sizeof(struct trk_text), TRACK_FIELDS};
 
 static const char *check_curve(const struct yaml_list *curve)
 {
@@ -154,6 +25,22 @@ static const char *check_check_rail(const struct yaml_list *list)
         return reason("check_rail: %lld items, one at most is possible", (long long)list->n);
     if (list->n == 1 && (c->play.by_number || c->play.n < 2))
         return "check_rail.1.play: {station: [...], value: [...]} is wanted, from one end of the check rail to the other";
+    if (list->n == 1 && c->beam.mass > 0 && !(c->beam.to > c->beam.from))
+        return reason("check_rail.1.beam.to: %g must be beyond the %g of from", c->beam.to, c->beam.from);
+    return NULL;
+}
+
+/* Of item `number` of a list. */
+static const char *check_ranges(const char *list, int64_t number, const struct yaml_nums *sleepers)
+{
+    if (sleepers->n == 0)
+        return reason("%s.%lld.sleepers: no sleeper, one range [first, last] at least is wanted", list, (long long)number);
+    for (int64_t i = 0; i < sleepers->n; i += 2) {
+        double first = sleepers->x[i], last = sleepers->x[i + 1];
+        if (floor(first) < first || floor(last) < last || last < first)
+            return reason("%s.%lld.sleepers: [%g, %g] must be two whole numbers, the first not above the last", list, (long long)number,
+                          first, last);
+    }
     return NULL;
 }
 
@@ -161,15 +48,7 @@ static const char *check_zone(const struct trk_text_zone *z, int64_t number)
 {
     if (strlen(z->name) >= sizeof *((struct trk *)NULL)->zone_name)
         return reason("zone.%lld.name: \"%s\" is longer than 31 letters", (long long)number, z->name);
-    if (z->sleepers.n == 0)
-        return reason("zone.%lld.sleepers: no sleeper, one range [first, last] at least is wanted", (long long)number);
-    for (int64_t i = 0; i < z->sleepers.n; i += 2) {
-        double first = z->sleepers.x[i], last = z->sleepers.x[i + 1];
-        if (floor(first) < first || floor(last) < last || last < first)
-            return reason("zone.%lld.sleepers: [%g, %g] must be two whole numbers, the first not above the last", (long long)number,
-                          first, last);
-    }
-    return NULL;
+    return check_ranges("zone", number, &z->sleepers);
 }
 
 /* Zones are told apart by name, in plots and tables of results too. */
@@ -181,14 +60,64 @@ static const char *check_zone_name(const struct trk_text_zone *z, int64_t k)
     return NULL;
 }
 
+/* For both rails, or for each. */
+static int given(const struct yaml_table *both, const struct yaml_table *left, const struct yaml_table *right)
+{
+    return both->n > 0 || (left->n > 0 && right->n > 0);
+}
+
 static const char *check_rail(const struct trk_text_rail *r)
 {
-    if (r->mass_model == TRK_TEXT_LUMPED && !(r->pitch_inertia > 0))
+    if (r->mass_model == TRK_TEXT_LUMPED && !given(&r->pitch_inertia, &r->left.pitch_inertia, &r->right.pitch_inertia))
         return "rail.pitch_inertia: a lumped rail needs it, the pitch inertia of a node in kg m2";
-    if (r->beam == TRK_TEXT_TIMOSHENKO && !(r->shear_stiffness > 0))
+    if (r->beam == TRK_TEXT_TIMOSHENKO && !given(&r->shear_stiffness, &r->left.shear_stiffness, &r->right.shear_stiffness))
         return "rail.shear_stiffness: a timoshenko rail needs it, kappa G A in N";
-    if (r->beam == TRK_TEXT_TIMOSHENKO && r->mass_model == TRK_TEXT_CONSISTENT && !(r->rotary_inertia > 0))
+    if (r->beam == TRK_TEXT_TIMOSHENKO && r->mass_model == TRK_TEXT_CONSISTENT &&
+        !given(&r->rotary_inertia, &r->left.rotary_inertia, &r->right.rotary_inertia))
         return "rail.rotary_inertia: a timoshenko rail with consistent mass needs it, rho I in kg m";
+    return NULL;
+}
+
+static const char *check_missing(const struct yaml_list *list)
+{
+    const struct trk_text_missing *m = list->item;
+    const char *why = NULL;
+
+    for (int64_t k = 0; k < list->n && !why; k++)
+        why = check_ranges("railpad.missing", k + 1, &m[k].sleepers);
+    return why;
+}
+
+/* What a spatial track needs beside a vertical one. */
+static const char *check_spatial(const struct trk_text *in)
+{
+    const struct trk_text_rail *r = &in->rail;
+    const int lumped = r->mass_model == TRK_TEXT_LUMPED, timoshenko = r->beam == TRK_TEXT_TIMOSHENKO;
+    const struct { const char *key, *what; int given; } needs[] = {
+        {"rail.lateral_bending_stiffness", "lateral EI in N m2", r->lateral_bending_stiffness.n > 0},
+        {"rail.yaw_inertia", "with lumped mass the yaw inertia of a node in kg m2", r->yaw_inertia > 0 || !lumped},
+        {"rail.lateral_shear_stiffness", "with timoshenko kappa G A sideways in N", r->lateral_shear_stiffness > 0 || !timoshenko},
+        {"rail.lateral_rotary_inertia", "with timoshenko and consistent mass rho I in kg m",
+         r->lateral_rotary_inertia > 0 || !timoshenko || lumped},
+        {"rail.torsional_stiffness", "GJ in N m2", r->torsional_stiffness > 0},
+        {"rail.polar_inertia", "rho Ip in kg m", r->polar_inertia > 0},
+        {"rail.head_height", "in m", r->head_height > 0},
+        {"rail.foot_depth", "in m", r->foot_depth > 0},
+        {"sleeper.yaw_inertia", "in kg m2", in->sleeper.yaw_inertia.n > 0},
+        {"railpad.lateral_stiffness", "in N/m", in->railpad.lateral_stiffness.n > 0},
+        {"railpad.lateral_damping", "in N s/m", in->railpad.lateral_damping.n > 0},
+        {"railpad.width", "in m", in->railpad.width > 0},
+        {"ballast.lateral_stiffness", "in N/m", in->ballast.lateral_stiffness.n > 0},
+        {"ballast.lateral_damping", "in N s/m", in->ballast.lateral_damping.n > 0},
+        {"ballast.longitudinal_stiffness", "in N/m", in->ballast.longitudinal_stiffness.n > 0},
+        {"ballast.longitudinal_damping", "in N s/m", in->ballast.longitudinal_damping.n > 0},
+    };
+
+    if (in->model == TRK_TEXT_MOVING_MASS)
+        return "dofs: spatial is not for model: moving_mass";
+    for (size_t k = 0; k < sizeof needs / sizeof *needs; k++)
+        if (!needs[k].given)
+            return reason("%s: dofs: spatial needs it, %s", needs[k].key, needs[k].what);
     return NULL;
 }
 
@@ -201,8 +130,14 @@ static const char *check(const struct trk_text *in)
         return reason("name: \"%s\" is longer than 63 letters", in->name);
     if (in->sleeper.roll == TRK_TEXT_HELD && in->model != TRK_TEXT_MOVING_MASS)
         return "sleeper.roll: held is for model: moving_mass alone";
+    if (in->model != TRK_TEXT_MOVING_MASS && (in->rail.running_mass > 0 || in->sleeper.lateral.stiffness > 0))
+        return "rail.running_mass, sleeper.lateral: they are for model: moving_mass alone";
+    if (in->sleeper.lateral.stiffness > 0 && !(in->rail.lateral.stiffness > 0))
+        return "sleeper.lateral: rail.lateral is missing, what the rails stand against it with";
+    if (in->dofs == TRK_TEXT_SPATIAL && (why = check_spatial(in)))
+        return why;
     if ((in->model == TRK_TEXT_FIXED && (why = check_rail(&in->rail))) || (why = check_curve(&in->curve)) ||
-        (why = check_check_rail(&in->check_rail)))
+        (why = check_check_rail(&in->check_rail)) || (why = check_missing(&in->railpad.missing)))
         return why;
     for (int64_t k = 0; k < in->zone.n; k++)
         if ((why = check_zone(&z[k], k + 1)) || (why = check_zone_name(z, k)))

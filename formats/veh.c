@@ -7,6 +7,7 @@
 
 #include "formats/reason.h"
 #include "formats/room.h"
+#include "formats/veh_check.h"
 #include "formats/vxf_member.h"
 
 /* Sizes an array may have. */
@@ -24,12 +25,20 @@ static const struct vxf_member TABLE[] = {
     {"coupling.ends",      "1",             VXF_I64, 2, {COUPLINGS, TWO},     AT(ends)},
     {"coupling.bearing",   "1",             VXF_I64, 1, {COUPLINGS, ONE},     AT(bearing)},
     {"coupling.point",     "m",             VXF_F64, 2, {COUPLINGS, AXES},    AT(point)},
+    {"coupling.end",       "m",             VXF_F64, 2, {COUPLINGS, AXES},    AT(end)},
     {"coupling.stiffness", "N/m,N.m/rad",   VXF_F64, 2, {COUPLINGS, DOFS},    AT(stiffness)},
     {"coupling.damping",   "N.s/m,N.m.s/rad", VXF_F64, 2, {COUPLINGS, DOFS},    AT(damping)},
     {"coupling.preload",   "N",             VXF_F64, 2, {COUPLINGS, AXES},    AT(preload)},
-    {"stop.axis",          "1",             VXF_I64, 1, {COUPLINGS, ONE},     AT(stop_axis)},
+    {"coupling.axis",      "1",             VXF_I64, 1, {COUPLINGS, ONE},     AT(axis)},
+    {"damper.series",      "N/m",           VXF_F64, 1, {COUPLINGS, ONE},     AT(series)},
+    {"spring.rest",        "m",             VXF_F64, 1, {COUPLINGS, ONE},     AT(rest)},
+    {"friction.coefficient", "1",           VXF_F64, 1, {COUPLINGS, ONE},     AT(coefficient)},
+    {"friction.load",      "N",             VXF_F64, 1, {COUPLINGS, ONE},     AT(load)},
+    {"friction.spring",    "1",             VXF_I64, 1, {COUPLINGS, ONE},     AT(spring)},
+    {"friction.share",     "1",             VXF_F64, 1, {COUPLINGS, ONE},     AT(share)},
+    {"friction.lever",     "m",             VXF_F64, 1, {COUPLINGS, ONE},     AT(lever)},
     {"knot.first",         "1",             VXF_I64, 1, {FIRSTS, ONE},        AT(knot_first)},
-    {"knot.at",            "m",             VXF_F64, 1, {KNOTS, ONE},         AT(knot_at)},
+    {"knot.at",            "m,m/s",         VXF_F64, 1, {KNOTS, ONE},         AT(knot_at)},
     {"knot.force",         "N",             VXF_F64, 1, {KNOTS, ONE},         AT(knot_force)},
     {"wheelset.body",      "1",             VXF_I64, 1, {WHEELSETS, ONE},     AT(wheelset)},
     {"wheelset.radius",    "m",             VXF_F64, 1, {WHEELSETS, ONE},     AT(radius)},
@@ -103,63 +112,6 @@ int veh_is_wheelset(const struct veh *v, int64_t body)
     return 0;
 }
 
-/* The axlebox of a wheelset sits on its axle, and no coupling joins two wheelsets, so that pitch is the spin of a wheelset alone. */
-static const char *check_ends(const struct veh *v, int64_t c)
-{
-    const int64_t *end = &v->ends[2*c];
-    int wheelset[2];
-
-    for (int k = 0; k < 2; k++) {
-        if (end[k] < 0 || end[k] >= v->bodies)
-            return reason("coupling %s: no body %lld", v->coupling_name[c], (long long)end[k]);
-        wheelset[k] = veh_is_wheelset(v, end[k]);
-        const double *at = &v->point[3*c], *cg = &v->cg[3*end[k]];
-        if (wheelset[k] && (at[VEH_X] != cg[VEH_X] || at[VEH_Z] != cg[VEH_Z]))
-            return reason("coupling %s: must sit on the axle of wheelset %s, at x %g, height %g", v->coupling_name[c],
-                          v->body_name[end[k]], cg[VEH_X], -cg[VEH_Z]);
-    }
-    if (end[0] == end[1])
-        return reason("coupling %s: joins body %s to itself", v->coupling_name[c], v->body_name[end[0]]);
-    if (wheelset[0] && wheelset[1])
-        return reason("coupling %s: joins two wheelsets; join each to a frame", v->coupling_name[c]);
-    if (v->bearing[c] != (wheelset[0] ? 0 : wheelset[1] ? 1 : -1))
-        return reason("coupling %s: bearing %lld is not the end at a wheelset", v->coupling_name[c], (long long)v->bearing[c]);
-    return NULL;
-}
-
-static const char *check_law(const struct veh *v, int64_t c)
-{
-    if (v->type[c] != VEH_BUSHING && v->type[c] != VEH_STOP)
-        return reason("coupling %s: no type %lld", v->coupling_name[c], (long long)v->type[c]);
-    if (v->stop_axis[c] < VEH_X || v->stop_axis[c] > VEH_Z)
-        return reason("stop %s: no axis %lld", v->coupling_name[c], (long long)v->stop_axis[c]);
-    for (int k = 0; k < VEH_DOFS; k++)
-        if (v->stiffness[VEH_DOFS*c + k] < 0 || v->damping[VEH_DOFS*c + k] < 0)
-            return reason("coupling %s: a stiffness or damping is negative", v->coupling_name[c]);
-    return NULL;
-}
-
-/* Knots of a stop: at least two, increasing from the clearance, where the force is zero. */
-static const char *check_knots(const struct veh *v, int64_t c)
-{
-    int64_t first = v->knot_first[c], last = v->knot_first[c + 1];
-    const double *x = v->knot_at, *F = v->knot_force;
-    const char *name = v->coupling_name[c];
-
-    if (first < 0 || last < first || last > v->knots)
-        return reason("array knot.first: out of order or range at %lld", (long long)c);
-    if (v->type[c] != VEH_STOP)
-        return last > first ? reason("coupling %s: only a stop has knots", name) : NULL;
-    if (last - first < 2)
-        return reason("stop %s: its table needs two rows", name);
-    if (x[first] < 0 || F[first] != 0)
-        return reason("stop %s: its table must start at a clearance >= 0 with force 0, not at %g m with %g N", name, x[first], F[first]);
-    for (int64_t k = first + 1; k < last; k++)
-        if (!(x[k] > x[k - 1]) || F[k] < F[k - 1])
-            return reason("stop %s: its table does not rise at %g m", name, x[k]);
-    return NULL;
-}
-
 const char *veh_check(const struct veh *v)
 {
     const char *why;
@@ -171,7 +123,7 @@ const char *veh_check(const struct veh *v)
         (why = check_bodies(v)) || (why = check_wheelsets(v)))
         return why;
     for (int64_t c = 0; c < v->couplings; c++)
-        if ((why = check_ends(v, c)) || (why = check_law(v, c)) || (why = check_knots(v, c)))
+        if ((why = veh_check_coupling(v, c)))
             return why;
     if (v->knot_first[0] != 0 || v->knot_first[v->couplings] != v->knots)
         return reason("array knot.first: must run from 0 to the %lld knots", (long long)v->knots);

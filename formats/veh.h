@@ -11,10 +11,17 @@
 /* Degrees of freedom of a body, in this order. */
 enum { VEH_X, VEH_Y, VEH_Z, VEH_ROLL, VEH_PITCH, VEH_YAW, VEH_DOFS };
 
+/* In this order in the list of couplings, so that a friction finds the force of its spring ready. */
 enum veh_coupling {
     VEH_BUSHING,   /* spring and damper in x y z, rotational springs about x y z, at a common point */
-    VEH_STOP       /* piecewise-linear spring along one axis, odd, zero up to its clearance */
+    VEH_STOP,      /* piecewise-linear spring along one axis, odd, zero up to its clearance */
+    VEH_SPRING,    /* piecewise-linear spring along one axis, from its free length, which may carry weight */
+    VEH_DAMPER,    /* piecewise-linear damper along one axis or a line, odd, rigid or in series with a spring */
+    VEH_ROD,       /* spring and damper along the line between two ends */
+    VEH_FRICTION,  /* dry friction with a stick stiffness, its limit a share of the load of a spring */
+    VEH_COUPLINGS
 };
+enum { VEH_LINE = 3 };  /* axis of what acts along the line from its first to its second end */
 
 struct veh {
     char name[64];
@@ -28,13 +35,21 @@ struct veh {
     const int64_t *type;             /* [couplings] enum veh_coupling */
     const int64_t *ends;             /* [couplings][2] bodies; force and moment are those on the second */
     const int64_t *bearing;          /* [couplings] end, 0 or 1, at a wheelset, whose pitch it does not see; else -1 */
-    const double *point;             /* m [couplings][3] common point at rest, x y z as cg */
-    const double *stiffness;         /* N/m, N m/rad [couplings][6] x y z, roll pitch yaw */
-    const double *damping;           /* N s/m, N m s/rad [couplings][6] */
+    const double *point;             /* m [couplings][3] end on the first body at rest, x y z as cg */
+    const double *end;               /* m [couplings][3] end on the second: the same point, but for lines */
+    const double *stiffness;         /* N/m, N m/rad [couplings][6] x y z, roll pitch yaw; of a rod the first; of friction stick */
+    const double *damping;           /* N s/m, N m s/rad [couplings][6]; of a rod the first */
     const double *preload;           /* N [couplings][3] force on the first body at rest, x y z */
-    const int64_t *stop_axis;        /* [couplings] VEH_X.. of a stop, else 0 */
+    const int64_t *axis;             /* [couplings] VEH_X.. of a stop, spring or damper, or VEH_LINE; else 0 */
+    const double *series;            /* N/m [couplings] stiffness in series with a damper, 0 for rigid */
+    const double *rest;              /* m [couplings] place of a spring in its table at rest */
+    const double *coefficient;       /* [couplings] of friction */
+    const double *load;              /* N [couplings] normal force of friction that does not depend on a spring */
+    const int64_t *spring;           /* [couplings] whose vertical force loads a friction, before it in the list, or -1 */
+    const double *share;             /* [couplings] of that force */
+    const double *lever;             /* m [couplings] lever of a friction about axes, 0 for one along axes */
     const int64_t *knot_first;       /* [couplings + 1] its first knot */
-    const double *knot_at;           /* m [knots] increasing from >= 0 */
+    const double *knot_at;           /* m, m/s [knots] deflection, compression or rate, increasing */
     const double *knot_force;        /* N [knots] */
     const int64_t *wheelset;         /* [wheelsets] body of each wheelset, from the front */
     const double *radius;            /* m [wheelsets] nominal rolling radius r0 */

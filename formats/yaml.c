@@ -203,9 +203,12 @@ static const char *items(struct walk *w, const struct yaml_field *f, const struc
     if (node->kind != YAML_SEQUENCE)
         return yaml_error(w->path, node, "%s: a list is wanted here", f->key);
     to->item = calloc((size_t)node->n + 1, f->sub->size);
-    if (!to->item)
+    to->line = calloc((size_t)node->n + 1, sizeof *to->line);
+    if (!to->item || !to->line)
         return REASON_MEMORY;
     to->n = node->n;
+    for (int i = 0; i < node->n; i++)
+        to->line[i] = node->child[i]->set ? 0 : node->child[i]->line;
     hash_number(w, (double)to->n);
     for (int i = 0; i < node->n && !why; i++)
         why = walk_map(w, f->sub, node->child[i], (char *)to->item + (size_t)i * f->sub->size);
@@ -376,6 +379,7 @@ void yaml_release(const struct yaml_schema *schema, void *object)
             for (int64_t i = 0; i < list->n; i++)
                 yaml_release(f->sub, (char *)list->item + (size_t)i * f->sub->size);
             free(list->item);
+            free(list->line);
         }
     }
     memset(object, 0, schema->size);

@@ -25,7 +25,7 @@ enum yaml_type {
 };
 
 struct yaml_nums { int64_t n; double *x; };
-struct yaml_list { int64_t n; void *item; };
+struct yaml_list { int64_t n; void *item; int *line; };   /* line[n] of each item in its file, 0 of an override */
 
 /* Over station (m) or sleeper number; straight between the knots, constant beyond them. */
 struct yaml_table {

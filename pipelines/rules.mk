@@ -18,6 +18,10 @@ YAW = exact
 out/%.ctab: $(BIN)/vxcontact
 	$(BIN)/vxcontact --wheel $(word 1,$(call of,.prof)) --rail $(word 2,$(call of,.prof)) --yaw $(YAW) -o $@
 
+out/%.creep: $(BIN)/vxcreep
+	@mkdir -p $(@D)
+	$(BIN)/vxcreep --table $(CREEP) -o $@
+
 out/%.trk: $(BIN)/vxtrack
 	@mkdir -p $(@D)
 	$(BIN)/vxtrack $(SET) -o $@ $(call of,.yaml)
@@ -30,11 +34,11 @@ out/%.frf: $(BIN)/vxfreq
 	$(BIN)/vxfreq --receptance $(RECEPTANCE) -o $@ $(call of,.trk)
 
 out/%.mod: $(BIN)/vxfreq
-	$(BIN)/vxfreq --modes $(MODES) -o $@ $(call of,.trk)
+	$(BIN)/vxfreq --modes $(MODES) -o $@ $(call of,.trk) $(call of,.veh)
 
 out/%.run: $(BIN)/vxrun
 	$(BIN)/vxrun $(SET) --track $(call of,.trk) --vehicle $(call of,.veh) --contact-left $(call of,-l.ctab) \
-	    --contact-right $(call of,-r.ctab) -o $@ $(call of,.yaml)
+	    --contact-right $(call of,-r.ctab) $(addprefix --creep ,$(call of,.creep)) -o $@ $(call of,.yaml)
 
 out/%.csv: $(BIN)/vxpost
 	$(BIN)/vxpost $(POST) -o $@ $(call of,.run)

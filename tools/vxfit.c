@@ -17,17 +17,15 @@ static const char usage[] =
     "[--motion-at sleeper|midspan|M] [--quantity receptance|mobility|accelerance] [--from HZ] [--to HZ] [--fix NAME]... [--bounds LO,HI] "
     "[-o FILE] TRACK";
 
-static const double NOWHERE = -1e9;
-
 static struct {
     const char *measured, *at, *motion_at, *bounds, *out;
     int excite, motion, quantity;
-    double x;                        /* m; NOWHERE is the middle of the track */
+    double x;                        /* m */
     double from, to;                 /* Hz */
     double bound[2];                 /* of the factors */
     struct cli_list fix;
     int fit[CALIBRATE_N];
-} opt = {.excite = PLACE_BOTH, .motion = -1, .at = "sleeper", .x = -1e9, .to = 1e6, .bound = {0.05, 20}, .fit = {1, 1, 1, 1}};
+} opt = {.excite = PLACE_BOTH, .motion = -1, .at = "sleeper", .x = PLACE_MIDDLE, .to = 1e6, .bound = {0.05, 20}, .fit = {1, 1, 1, 1}};
 
 static const char *const motions[] = {"left", "right", "sleeper", NULL};
 static const char *const quantities[] = {"receptance", "mobility", "accelerance", NULL};
@@ -80,20 +78,13 @@ static const char *parse(int argc, char **argv)
     return operand[0];
 }
 
-/* The place that an option names on a rail or a sleeper: a station, or the sleeper or bay nearest to --x. */
-static struct place locate(const struct trk *t, int on, const char *option, const char *text)
+static struct place locate(const struct trk *t, int on, const char *option, const char *where)
 {
-    double x = opt.x > NOWHERE ? opt.x : 0.5 * (t->x[0] + t->x[t->nodes - 1]);
-    int at = AT_SLEEPER;
     struct place p;
+    const char *why = place_named(&p, t, on, where, opt.x, 0);
 
-    while (at < AT_STATION && strcmp(text, place_at[at]) != 0)
-        at++;
-    if (at == AT_MIDSPAN && t->sleepers == 1)
-        cli_die("--%s midspan: a moving mass has no span", option);
-    if (at == AT_STATION)
-        cli_numbers(option, text, t->x[0], t->x[t->nodes - 1], &x, 1);
-    place_find(&p, t, on, at, x);
+    if (why)
+        cli_misuse("--%s: %s", option, why);
     return p;
 }
 

@@ -16,38 +16,38 @@
 #include "tools/receptance/dense.h"
 #include "tools/receptance/modes.h"
 #include "tools/receptance/peaks.h"
-#include "tools/receptance/place.h"
+#include "tools/receptance/preload.h"
 #include "tools/receptance/stiffness.h"
 #include "tools/receptance/sweep.h"
 #include "tools/track/seat.h"
 
 static const char usage[] =
     "vxfreq --receptance [--excite left|right|both|sleeper] [--at sleeper|midspan|M] [--x M] [--motion left|right|sleeper] "
-    "[--motion-at sleeper|midspan|M] [--quantity receptance|mobility|accelerance] [--from HZ] [--to HZ] [--step HZ] "
-    "[--peaks [--hermite]] [-o FILE] TRACK\n"
+    "[--motion-at sleeper|midspan|M] [--direction vertical|lateral] [--motion-direction vertical|lateral] "
+    "[--quantity receptance|mobility|accelerance] [--from HZ] [--to HZ] [--step HZ] [--peaks [--hermite]] [--preload N] [-o FILE] TRACK\n"
     "vxfreq --modes N [--near HZ] [--damped] [--text] [-o FILE] TRACK|VEHICLE\n"
     "vxfreq --static --load N [--excite left|right|both] [--at sleeper|midspan|M] [--x M] [-o FILE] TRACK\n"
     "vxfreq --static --load N --axles M,... [--excite left|right|both] [--every M] TRACK\n"
-    "vxfreq --stiffness [--every M] TRACK";
+    "vxfreq --stiffness [--load N] [--every M] TRACK";
 
-static const double NOWHERE = -1e9;
 enum { AXLES_MOST = 64 };
 
 static struct {
     int receptance, statics, stiffness, peaks, hermite, damped, text;
-    int excite, motion, quantity;
+    int excite, motion, quantity, lateral, motion_lateral;
     const char *at, *motion_at;      /* NULL: where the force is */
     int64_t modes;
-    double x;                        /* m; NOWHERE is the middle of the track */
-    double load;                     /* N on each loaded rail */
+    double x;                        /* m */
+    double load, preload;            /* N on each loaded rail */
     const char *axles;               /* m, stations */
     double every;                    /* m, of a table along the track */
     double near;                     /* Hz */
     struct sweep sweep;              /* Hz */
     const char *out;
-} opt = {.excite = PLACE_BOTH, .motion = -1, .at = "sleeper", .x = -1e9, .every = 0.1, .sweep = {10, 1500, 1}};
+} opt = {.excite = PLACE_BOTH, .motion = -1, .motion_lateral = -1, .at = "sleeper", .x = PLACE_MIDDLE, .every = 0.1, .sweep = {10, 1500, 1}};
 
 static const char *const motions[] = {"left", "right", "sleeper", NULL};
+static const char *const directions[] = {"vertical", "lateral", NULL};
 static const char *const quantities[] = {"receptance", "mobility", "accelerance", NULL};
 
 static const struct cli_option options[] = {
@@ -59,6 +59,8 @@ static const struct cli_option options[] = {
     {.name = "at", .type = CLI_TEXT, .value = &opt.at},
     {.name = "motion", .type = CLI_CHOICE, .value = &opt.motion, .choice = motions},
     {.name = "motion-at", .type = CLI_TEXT, .value = &opt.motion_at},
+    {.name = "direction", .type = CLI_CHOICE, .value = &opt.lateral, .choice = directions},
+    {.name = "motion-direction", .type = CLI_CHOICE, .value = &opt.motion_lateral, .choice = directions},
     {.name = "quantity", .type = CLI_CHOICE, .value = &opt.quantity, .choice = quantities},
     {.name = "x", .letter = 1, .type = CLI_NUM, .value = &opt.x, .lo = -1e6, .hi = 1e6},
     {.name = "from", .type = CLI_NUM, .value = &opt.sweep.from, .lo = 0, .hi = 1e6},
@@ -70,6 +72,7 @@ static const struct cli_option options[] = {
     {.name = "damped", .type = CLI_FLAG, .value = &opt.damped},
     {.name = "text", .type = CLI_FLAG, .value = &opt.text},
     {.name = "load", .type = CLI_NUM, .value = &opt.load, .lo = 1e-6, .hi = 1e9},
+    {.name = "preload", .type = CLI_NUM, .value = &opt.preload, .lo = 1e-6, .hi = 1e9},
     {.name = "axles", .type = CLI_TEXT, .value = &opt.axles},
     {.name = "every", .type = CLI_NUM, .value = &opt.every, .lo = 1e-3, .hi = 1e3},
     {.name = "o", .type = CLI_TEXT, .value = &opt.out},
@@ -102,33 +105,30 @@ static const char *parse(int argc, char **argv)
         cli_misuse("--peaks goes with --receptance, --damped and --text with --modes");
     if (opt.hermite && !(opt.peaks && strcmp(opt.at, "sleeper")))
         cli_misuse("--hermite goes with --peaks, and --at midspan or a station");
-    if (!opt.receptance && (opt.motion >= 0 || opt.motion_at || opt.quantity))
-        cli_misuse("--motion, --motion-at and --quantity go with --receptance");
+    if (opt.load > 0 && !opt.statics && !opt.stiffness)
+        cli_misuse("--load goes with --static and --stiffness");
+    if (opt.preload > 0 && !opt.receptance)
+        cli_misuse("--preload goes with --receptance");
+    if (!opt.receptance && (opt.motion >= 0 || opt.motion_at || opt.quantity || opt.lateral || opt.motion_lateral >= 0))
+        cli_misuse("--motion, --motion-at, --direction, --motion-direction and --quantity go with --receptance");
     if (opt.statics && opt.excite == PLACE_SLEEPER)
         cli_misuse("--static loads rails: --excite left, right or both");
     return operand[0];
 }
 
-/* The place that an option names on a rail or a sleeper: a station, or the sleeper or bay nearest to --x. */
-static struct place locate(const struct trk *t, int on, const char *option, const char *text)
+static struct place locate(const struct trk *t, int on, const char *option, const char *where, int lateral)
 {
-    double x = opt.x > NOWHERE ? opt.x : 0.5 * (t->x[0] + t->x[t->nodes - 1]);
-    int at = AT_SLEEPER;
     struct place p;
+    const char *why = place_named(&p, t, on, where, opt.x, lateral);
 
-    while (at < AT_STATION && strcmp(text, place_at[at]) != 0)
-        at++;
-    if (at == AT_MIDSPAN && t->sleepers == 1)
-        cli_die("--%s midspan: a moving mass has no span", option);
-    if (at == AT_STATION)
-        cli_numbers(option, text, t->x[0], t->x[t->nodes - 1], &x, 1);
-    place_find(&p, t, on, at, x);
+    if (why)
+        cli_misuse("--%s: %s", option, why);
     return p;
 }
 
 static struct place locate_force(const struct trk *t)
 {
-    return locate(t, opt.excite, "at", opt.at);
+    return locate(t, opt.excite, "at", opt.at, opt.lateral);
 }
 
 /* Where the motion is read: where the force acts, but for what is said otherwise. */
@@ -136,7 +136,8 @@ static struct place locate_motion(const struct trk *t)
 {
     static const int on[] = {PLACE_LEFT, PLACE_RIGHT, PLACE_SLEEPER};
 
-    return locate(t, opt.motion < 0 ? opt.excite : on[opt.motion], opt.motion_at ? "motion-at" : "at", opt.motion_at ? opt.motion_at : opt.at);
+    return locate(t, opt.motion < 0 ? opt.excite : on[opt.motion], opt.motion_at ? "motion-at" : "at", opt.motion_at ? opt.motion_at : opt.at,
+                  opt.motion_lateral < 0 ? opt.lateral : opt.motion_lateral);
 }
 
 static void print_peaks(const struct frf *r)
@@ -157,12 +158,14 @@ static void print_peaks(const struct frf *r)
 static void run_receptance(const struct vxf *f, const char *name)
 {
     struct vxf_out o;
-    struct trk t;
+    struct trk t, loaded = {0};
     struct frf r;
 
     cli_check(name, trk_read(&t, f));
     const struct place force = locate_force(&t), motion = locate_motion(&t);
-    cli_check(name, sweep_places(&r, &t, &force, &motion, opt.quantity, &opt.sweep));
+    if (opt.preload > 0)
+        cli_check(name, preload_track(&loaded, &t, &force, opt.preload));
+    cli_check(name, sweep_places(&r, opt.preload > 0 ? &loaded : &t, &force, &motion, opt.quantity, &opt.sweep));
     if (opt.peaks)
         print_peaks(&r);
     else {
@@ -173,6 +176,7 @@ static void run_receptance(const struct vxf *f, const char *name)
         vxf_out_free(&o);
     }
     frf_free(&r);
+    trk_free(&loaded);
     trk_free(&t);
 }
 
@@ -222,7 +226,7 @@ static void run_along(const struct vxf *f, const char *name)
     if (!value)
         cli_die(REASON_MEMORY);
     if (opt.stiffness)
-        cli_check(name, stiffness_along(&t, n, x, value));
+        cli_check(name, stiffness_along(&t, opt.load, n, x, value));
     else {
         const int axles = cli_numbers("axles", opt.axles, t.x[0], t.x[t.nodes - 1], axle, AXLES_MOST);
         cli_check(name, stiffness_bowl(&t, opt.excite, opt.load, axles, axle, n, x, value));

@@ -1,14 +1,13 @@
 /* vxrun: one train through one track.
  *
- * In: a case (YAML), a track (.trk), a vehicle (.veh), contact tables of both sides (.ctab).  Out: a .run, written while
+ * In: a case (YAML), a track (.trk), a vehicle (.veh), contact tables of both sides (.ctab), perhaps creep forces (.creep).  Out: a .run, written while
  * the train runs and renamed when it is complete.  Axes: x forward, y to the right, z down; forces are those of the wheel on the rail.
- * Method: explicit two-step integration of bodies, rails and sleepers; Hertz or linear contact, FASTSIM (integrate/passage.h).
- * Arrays read: all of the inputs.  Arrays written: run(5). */
-#include "formats/case_text.h"
-#include "formats/ctab.h"
-#include "tools/cli/cli.h"
+ * Method: integrate/passage.h, integrate/way.h.  Arrays read: all of the inputs.  Arrays written: run(5). */
+#include "tools/cli/inputs.h"
+#include "tools/integrate/options.h"
 #include "tools/integrate/record.h"
 #include "tools/integrate/start.h"
+#include "tools/integrate/state.h"
 
 #include <errno.h>
 #include <math.h>
@@ -20,21 +19,25 @@
 
 static const char usage[] =
     "vxrun [-v] [--track T.trk] [--vehicle V.veh] [--contact-left L.ctab] [--contact-right R.ctab]\n"
-    "      [--set KEY=VALUE]... [-o OUT.run] CASE.yaml\n"
+    "      [--creep C.creep] [--set KEY=VALUE]... [--start STATE] [--save-state STATION] [-o OUT.run] CASE.yaml\n"
     "vxrun --schema | --master";
 
 static struct {
-    const char *track, *vehicle, *left, *right, *out;
-    struct cli_list set;
+    struct inputs_options in;
+    const char *start, *out;
+    double save;                 /* m; NAN where no state is wanted */
     int verbose, schema, master;
-} opt;
+} opt = {.save = NAN};
 
 static const struct cli_option options[] = {
-    {.name = "track", .type = CLI_TEXT, .value = &opt.track},
-    {.name = "vehicle", .type = CLI_TEXT, .value = &opt.vehicle},
-    {.name = "contact-left", .type = CLI_TEXT, .value = &opt.left},
-    {.name = "contact-right", .type = CLI_TEXT, .value = &opt.right},
-    {.name = "set", .type = CLI_LIST, .value = &opt.set},
+    {.name = "track", .type = CLI_TEXT, .value = &opt.in.track},
+    {.name = "vehicle", .type = CLI_TEXT, .value = &opt.in.vehicle},
+    {.name = "contact-left", .type = CLI_TEXT, .value = &opt.in.left},
+    {.name = "contact-right", .type = CLI_TEXT, .value = &opt.in.right},
+    {.name = "creep", .type = CLI_TEXT, .value = &opt.in.creep},
+    {.name = "set", .type = CLI_LIST, .value = &opt.in.set},
+    {.name = "start", .type = CLI_TEXT, .value = &opt.start},
+    {.name = "save-state", .type = CLI_NUM, .value = &opt.save, .lo = -1e9, .hi = 1e9},
     {.name = "schema", .type = CLI_FLAG, .value = &opt.schema},
     {.name = "master", .type = CLI_FLAG, .value = &opt.master},
     {.name = "v", .type = CLI_FLAG, .value = &opt.verbose},
@@ -58,132 +61,94 @@ static const char *parse(int argc, char **argv)
     asks = opt.schema + opt.master;
     if (asks > 1)
         cli_misuse("--schema and --master exclude each other");
-    if (asks && (n || opt.track || opt.vehicle || opt.left || opt.right || opt.set.n || opt.out))
+    if (asks && (n || opt.in.track || opt.in.vehicle || opt.in.left || opt.in.right || opt.in.creep || opt.in.set.n || opt.out))
         cli_misuse("--%s stands alone", opt.schema ? "schema" : "master");
     if (!asks && !n)
         cli_misuse("the case is missing (-h shows the usage)");
+    if (!isnan(opt.save) && !opt.out)
+        cli_misuse("--save-state wants -o: the state goes beside the run");
     return asks ? NULL : operand[0];
 }
 
-struct inputs {
-    struct case_text text;
-    uint64_t hash;               /* of the case */
-    struct vxf file[4];
-    struct trk track;
-    struct veh vehicle;
-    struct ctab table[2];
-};
-
-/* A file named by the case lies beside the case. */
-static char *beside(const char *path, const char *name)
+static void put_inputs(const struct inputs *in, struct vxf_out *o)
 {
-    const char *slash = strrchr(path, '/');
-    size_t n = slash && *name != '/' ? (size_t)(slash - path) + 1 : 0;
-    char *joined = calloc(n + strlen(name) + 1, 1);
-
-    if (!joined)
-        cli_die(REASON_MEMORY);
-    memcpy(joined, path, n);
-    memcpy(joined + n, name, strlen(name));
-    return joined;
+    for (int i = 0; i < in->files; i++)
+        vxf_put_input(o, &in->file[i]);
+    vxf_put_key(o, "INPUT", "case %016llx", (unsigned long long)in->hash);
+    if (in->text.irregularity.file)
+        vxf_put_key(o, "INPUT", "irregularity %016llx", (unsigned long long)in->measured.hash);
 }
 
-/* The option goes before the case.  Returns the name, for messages. */
-static char *open_input(struct vxf *f, const char *option, const char *spelled, const char *case_path, const char *named,
-                        const char *kind)
+/* The .state beside the .run. */
+static char *state_path(void)
 {
-    char *path;
+    const size_t n = strlen(opt.out), end = n > 4 && strcmp(opt.out + n - 4, ".run") == 0 ? n - 4 : n;
+    char *path = calloc(end + sizeof ".state", 1);
 
-    if (!option && !named)
-        cli_misuse("the case names no .%s file, and %s is not given", kind, spelled);
-    path = option ? beside("", option) : beside(case_path, named);
-    cli_open(f, path, kind);
+    if (!path)
+        cli_die(REASON_MEMORY);
+    snprintf(path, end + sizeof ".state", "%.*s.state", (int)end, opt.out);
     return path;
 }
 
-static void check_side(const char *path, const struct ctab *t, char side)
+static void save_state(struct passage *p, const struct inputs *in, const char *failed)
 {
-    if (t->side != side)
-        cli_die("%s: is of side %c, but %s wants side %c", path, t->side, side == 'l' ? "--contact-left" : "--contact-right", side);
+    struct state s;
+    struct state_part part[STATE_PARTS];
+    struct vxf_out o;
+    char *path = state_path();
+    double *rest = NULL;
+
+    cli_check(path, state_take(&s, p, &rest));
+    snprintf(s.failed, sizeof s.failed, "%s", failed ? failed : "");
+    s.vehicle = vxf_content(&in->file[1]);
+    s.contact[0] = vxf_content(&in->file[2]);
+    s.contact[1] = vxf_content(&in->file[3]);
+    s.text = in->hash;
+    s.track = &in->file[0];
+    vxf_out_begin(&o, "state");
+    put_inputs(in, &o);
+    state_put(&s, state_parts(p, part), part, &o);
+    cli_write(&o, path);
+    vxf_out_free(&o);
+    free(rest);
+    free(path);
 }
 
-/* A track has no name of its route; one without a curve is not that of a diverging route.  One node is a moving mass. */
-static void check_track(const char *path, const struct case_text *c, const struct trk *t)
+/* What a run that fails leaves for a post-mortem, where its numbers are still finite and it has a name. */
+static void leave_state(struct passage *p, const struct inputs *in, const char *failed)
 {
-    int curved = 0;
+    struct state_part part[STATE_PARTS];
+    const int n = state_parts(p, part);
 
-    if (t->nodes == 1)
-        cli_die("%s: a moving-mass track has receptance, modes and statics; a train wants model: fixed", path);
-    for (int64_t i = 0; i < t->curves; i++)
-        curved |= fabs(t->curvature[i]) > 0;
-    if (c->route == CASE_DIVERGING && !curved)
-        cli_die("%s: the route is diverging, but this track has no curve", path);
+    for (int k = 0; k < n; k++)
+        for (int64_t i = 0; i < part[k].n; i++)
+            if (!isfinite(part[k].x[i]))
+                return;
+    if (opt.out && in->files > 1)
+        save_state(p, in, failed);
 }
 
-static void read_inputs(struct inputs *in, const char *path)
+/* What differs is told; what must not, refused. */
+static void resume(struct passage *p, const struct inputs *in, const struct vxf *file)
 {
-    const struct case_text *c = &in->text;
-    const char *why;
-    char *name[4];
+    struct state s;
+    struct state_difference differs[STATE_DIFFERENCES];
+    int n;
 
-    if ((why = yaml_read(path, &case_text_schema, opt.set.item, opt.set.n, &in->text, &in->hash)))
-        cli_die("%s", why); /* begins with its place */
-    if (strlen(c->name) >= sizeof ((struct run *)NULL)->name)
-        cli_die("%s: name: longer than %zu letters", path, sizeof ((struct run *)NULL)->name - 1);
-    name[0] = open_input(&in->file[0], opt.track, "--track", path, c->track, "trk");
-    name[1] = open_input(&in->file[1], opt.vehicle, "--vehicle", path, c->vehicle, "veh");
-    name[2] = open_input(&in->file[2], opt.left, "--contact-left", path, c->contact_left, "ctab");
-    name[3] = open_input(&in->file[3], opt.right, "--contact-right", path, c->contact_right, "ctab");
-    cli_check(name[0], trk_read(&in->track, &in->file[0]));
-    cli_check(name[1], veh_read(&in->vehicle, &in->file[1]));
-    cli_check(name[2], ctab_read(&in->table[0], &in->file[2]));
-    cli_check(name[3], ctab_read(&in->table[1], &in->file[3]));
-    check_side(name[2], &in->table[0], 'l');
-    check_side(name[3], &in->table[1], 'r');
-    check_track(name[0], c, &in->track);
-    for (int i = 0; i < 4; i++)
-        free(name[i]);
-}
-
-static struct wheel_law contact_law(const struct case_text *c)
-{
-    struct wheel_law law = {
-        .normal = c->contact.law == CASE_HERTZ ? WHEEL_HERTZ : WHEEL_LINEAR,
-        .hertz_damping = c->contact.hertz_damping,
-        .friction = c->friction,
-        .step = c->step,
-    };
-
-    wheel_condense(&law, c->contact.stiffness, c->contact.damping, c->contact.series);
-    fastsim_begin(&law.grid, (int)c->contact.grid);
-    return law;
-}
-
-static struct passage_options passage_options(const struct case_text *c)
-{
-    if (c->end <= c->start)
-        cli_die("case: end, %g m, must lie beyond start, %g m", c->end, c->start);
-    return (struct passage_options){
-        .speed = c->speed / 3.6, /* km/h */
-        .start = c->start,
-        .end = c->end,
-        .step = c->step,
-        .law = contact_law(c),
-        .dips = c->dip.n,
-        .dip = c->dip.item,
-    };
-}
-
-/* Whole steps between samples. */
-static int64_t sampling(const struct case_text *c)
-{
-    double every = 1 / (c->sampling * c->step);
-
-    if (every <= 1)
-        return 1;
-    if (fabs(every - rint(every)) > 1e-6 * every)
-        cli_die("case: sampling, %g Hz, is not a whole number of steps of %g s", c->sampling, c->step);
-    return (int64_t)rint(every);
+    cli_check(opt.start, state_read(&s, file));
+    cli_check(opt.start, state_compare(&s, &in->file[0], differs, &n));
+    if (s.vehicle != vxf_content(&in->file[1]))
+        cli_die("%s: is of another vehicle", opt.start);
+    cli_check(opt.start, state_resume(&s, p, differs, n));
+    for (int k = 0; k < n; k++)
+        cli_note("%s of the track differs from %.2f to %.2f m, beyond the state's reach from %.2f to %.2f m", differs[k].name,
+                 differs[k].from, differs[k].to, s.reach[0], s.reach[1]);
+    for (int side = 0; side < 2; side++)
+        if (s.contact[side] != vxf_content(&in->file[2 + side]))
+            cli_note("the %s contact table is not that of the state", side ? "right" : "left");
+    if (s.text != in->hash)
+        cli_note("the case is not that of the state");
 }
 
 static double seconds(void)
@@ -206,27 +171,35 @@ static void show_progress(const struct passage *p)
 }
 
 /* The header goes out first, then blocks as they fill, then the extremes.  A passage that fails leaves its samples up to there. */
-static void write_run(struct passage *p, struct record *r, struct vxf_out *head, struct cli_out *out)
+static void write_run(struct passage *p, const struct inputs *in, struct record *r, struct vxf_out *head, struct cli_out *out)
 {
     struct vxf_stream stream;
+    char reason_kept[256];
     const char *why = vxf_stream_begin(&stream, head, out->file), *failed = NULL;
-    int full = record_step(r, p);
+    int full = opt.start ? 0 : record_step(r, p), saved = isnan(opt.save) || p->station > opt.save;
 
     for (; !why && p->n < p->steps; full = record_step(r, p)) {
         if (full) {
             why = vxf_stream_block(&stream, r->held, r->series);
-            r->held = 0;
+            record_empty(r);
         }
         if (why || (failed = passage_step(p)))
             break;
+        if (!saved && (saved = p->station >= opt.save))
+            save_state(p, in, NULL);
         show_progress(p);
     }
+    record_end(r, p->n);
     if (!why)
         why = vxf_stream_block(&stream, r->held, r->series);
     if (!why && !failed)
         why = vxf_stream_end(&stream, (const void *const *)r->extreme);
     cli_check(opt.out ? opt.out : "standard output", why);
-    cli_check("run", failed);
+    if (failed) {
+        snprintf(reason_kept, sizeof reason_kept, "%s", failed);
+        leave_state(p, in, reason_kept);
+        cli_die("run: %s", reason_kept);
+    }
 }
 
 static void describe(const struct inputs *in, struct record *r, struct vxf_out *head)
@@ -234,24 +207,30 @@ static void describe(const struct inputs *in, struct record *r, struct vxf_out *
     static const char *const route[] = {"through", "diverging"};
 
     vxf_out_begin(head, "run");
-    for (int i = 0; i < 4; i++)
-        vxf_put_input(head, &in->file[i]);
-    vxf_put_key(head, "INPUT", "case %016llx", (unsigned long long)in->hash);
+    put_inputs(in, head);
     vxf_put_key(head, "CMD", "%s", cli_command());
     snprintf(r->run.name, sizeof r->run.name, "%s", in->text.name);
     snprintf(r->run.route, sizeof r->run.route, "%s", route[in->text.route]);
     run_put(&r->run, r->recorded, head);
 }
 
-static void account(const struct passage *p, double begun, double started, double residual)
+/* first: steps done before this run. */
+static void account(const struct passage *p, int64_t first, double begun, double started, double residual)
 {
     struct rusage used;
 
     getrusage(RUSAGE_SELF, &used);
-    cli_note("%lld steps of %g s, limit %.3g s; at the start no body accelerates by more than %.1e g", (long long)p->steps,
+    const int64_t done = p->n - first;
+    cli_note("%lld steps of %g s, limit %.3g s; at the start no body accelerates by more than %.1e g", (long long)done,
              p->o.step, p->limit, residual);
+    cli_note("track %s, %lld degrees of freedom, %.2f rounds of forces a step: %s", p->rails.scheme == WAY_EXPLICIT ? "explicit" : "implicit",
+             (long long)p->track->dofs, (double)p->rounds / (double)(done + 1), p->rails.because);
+    if (p->energy.counted) {
+        double stored, lost, missing = energy_end(&p->energy, &p->rails, &stored, &lost);
+        cli_note("wheels' work on the track %.6g J: lost %.6g, stored %.6g, missing %.1e of the loss", p->energy.work, lost, stored, missing);
+    }
     cli_note("start %.3f s, passage %.3f s (%.2f us a step), peak memory %ld MB", started - begun, seconds() - started,
-             1e6 * (seconds() - started) / (double)p->steps, used.ru_maxrss / 1024);
+             1e6 * (seconds() - started) / (double)done, used.ru_maxrss / 1024);
 }
 
 int main(int argc, char **argv)
@@ -259,32 +238,54 @@ int main(int argc, char **argv)
     static struct inputs in;
     static struct passage p;
     static struct record r;
+    static struct exciter e;
+    struct passage_options o;
+    struct vxf state = {0};
     struct vxf_out head;
     struct cli_out out;
-    double begun = seconds(), started, residual;
+    double begun = seconds(), started, residual = 0;
+    int64_t every, first;
     const char *path = parse(argc, argv);
 
     if (!path) {
         (opt.schema ? yaml_print_schema : yaml_print_master)(&case_text_schema, stdout);
         return cli_end();
     }
-    read_inputs(&in, path);
-    struct passage_options o = passage_options(&in.text);
+    inputs_read(&in, path, &opt.in);
+    if (in.files == 1 && (opt.start || !isnan(opt.save)))
+        cli_misuse("a state is of a train: --start and --save-state do not go with a prescribed force");
+    if (opt.start) {
+        cli_open(&state, opt.start, "state");
+        cli_check(opt.start, vxf_number(&state, "START", &in.text.start));
+    }
+    cli_check("case", options_read(&o, &in.text, in.text.speed / 3.6, in.text.irregularity.file ? &in.measured : NULL));
+    if (in.files > 4)
+        cli_check("case", options_creep(&o, &in.creep, in.table));
+    if (in.text.force.amplitude > 0) {
+        cli_check("case", options_exciter(&e, &in.text, &in.track));
+        o.exciter = &e;
+    }
+    cli_check("case", options_sampling(&in.text, &every));
+    o.account = opt.verbose && !o.exciter;
     cli_check("case", passage_new(&p, &o, &in.track, &in.vehicle, &in.table[0], &in.table[1]));
-    cli_check("start", passage_start(&p, &residual));
-    cli_check("run", record_new(&r, &p, in.text.channels.group, sampling(&in.text)));
+    if (opt.start)
+        resume(&p, &in, &state);
+    else
+        cli_check("start", passage_start(&p, &residual));
+    cli_check("run", record_new(&r, &p, in.text.channels.group, every, in.text.filter));
     describe(&in, &r, &head);
+    first = p.n;
     started = seconds();
     cli_create_part(&out, opt.out);
-    write_run(&p, &r, &head, &out);
+    write_run(&p, &in, &r, &head, &out);
     cli_close(&out);
     if (opt.verbose)
-        account(&p, begun, started, residual);
+        account(&p, first, begun, started, residual);
     vxf_out_free(&head);
     record_free(&r);
     passage_free(&p);
-    for (int i = 0; i < 4; i++)
-        vxf_close(&in.file[i]);
-    yaml_release(&case_text_schema, &in.text);
+    exciter_free(&e);
+    vxf_close(&state);
+    inputs_release(&in);
     return cli_end();
 }

@@ -9,6 +9,7 @@
 #include "formats/trk.h"
 #include "formats/trk_text.h"
 #include "tools/track/assemble.h"
+#include "tools/track/equilibrium.h"
 #include "tools/track/layout.h"
 
 static const char usage[] =
@@ -69,6 +70,7 @@ int main(int argc, char **argv)
     path = strcmp(path, "-") ? path : "standard input";
     cli_check(path, layout_track(&t, &in));
     cli_check(path, assemble_track(&t));
+    cli_check(path, equilibrium_settle(&t, EQUILIBRIUM_GRAVITY));
     vxf_out_begin(&o, "trk");
     vxf_put_key(&o, "INPUT", "track %016llx", (unsigned long long)hash);
     cli_check(path, trk_put(&t, &o));

@@ -4,14 +4,22 @@
  * about rest.  x forward from the first wheelset, y to the right, z down, SI units. */
 #include "tools/cli/cli.h"
 
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
 #include "formats/veh.h"
 #include "formats/veh_text.h"
 #include "tools/vehicle/check.h"
+#include "tools/vehicle/doubt.h"
 #include "tools/vehicle/vehicle.h"
 
 static const char usage[] =
     "vxvehicle [--set KEY=VALUE]... [--check] [-o FILE] INPUT\n"
     "vxvehicle --schema | --master";
+
+enum { DOUBTS = 200 };                  /* printed at most */
+static const double PUSH = 1;           /* m/s2, for the clearances */
 
 static struct {
     struct cli_list set;
@@ -53,6 +61,42 @@ static const char *parse(int argc, char **argv)
     return asks ? NULL : operand[0];
 }
 
+/* What each vertical spring carries at rest and how far that bends it; of one in a table, its place there. */
+static void print_loads(const struct veh *v)
+{
+    for (int64_t c = 0; c < v->couplings; c++) {
+        const double load = v->preload[3*c + VEH_Z], k = v->stiffness[VEH_DOFS*c + VEH_Z];
+        if (load != 0)
+            printf("coupling   %-16s carries %.1f N  bent by %.3f mm\n", v->coupling_name[c], load,
+                   1e3*(v->type[c] == VEH_SPRING ? v->rest[c] : load/k));
+    }
+}
+
+static void print_stops(const struct veh *v)
+{
+    double *deflection = calloc((size_t)v->couplings + 1, sizeof *deflection);
+
+    if (!deflection)
+        cli_die(REASON_MEMORY);
+    cli_check(v->name, check_sideways(v, PUSH, deflection));
+    for (int64_t c = 0; c < v->couplings; c++)
+        if (v->type[c] == VEH_STOP)
+            printf("stop       %-16s along %c  clearance %.4g mm  used at rest 0 mm, by the springs alone at %g m/s2 sideways %.3g mm\n", v->coupling_name[c],
+                   "xyz"[v->axis[c]], 1e3*v->knot_at[v->knot_first[c]], PUSH, 1e3*fabs(deflection[c]));
+    free(deflection);
+}
+
+static void print_doubts(const struct veh *v)
+{
+    static char words[DOUBTS][DOUBT_WORDS];
+    struct doubts d = {.room = DOUBTS, .words = words};
+
+    doubt_find(v, &d);
+    for (int64_t k = 0; k < d.n && k < d.room; k++)
+        printf("doubt      %s\n", words[k]);
+    printf("doubts     %lld\n", (long long)d.n);
+}
+
 static void print_check(const struct veh *v)
 {
     struct check k;
@@ -61,9 +105,24 @@ static void print_check(const struct veh *v)
     printf("vehicle    %s\n", v->name);
     printf("mass       %.10g kg\n", k.mass);
     printf("cg         x %.6g m  y %.6g m  height %.6g m\n", k.cg[0], k.cg[1], -k.cg[2]);
+    for (int64_t i = 0; i < v->bodies; i++)
+        if (!veh_is_wheelset(v, i))
+            printf("body       %-16s %.10g kg  alone on its springs %.3f Hz\n", v->body_name[i], v->mass[i], doubt_bounce(v, i));
     for (int64_t w = 0; w < v->wheelsets; w++)
         printf("wheelset   %-16s left %.1f N  right %.1f N\n", v->body_name[v->wheelset[w]], v->wheel_load[2*w], v->wheel_load[2*w + 1]);
     printf("balance    weight %.1f N  wheels %.1f N\n", k.weight, k.wheels);
+    printf("support    every body is held in all directions, wheelsets held\n");
+    print_loads(v);
+    print_stops(v);
+    print_doubts(v);
+}
+
+/* At the line of what is wrong, where it has one. */
+static void refuse(const char *path, int line, const char *why)
+{
+    if (line == 0)
+        cli_check(path, why);
+    cli_die("%s:%d: error: %s", strcmp(path, "-") ? path : "standard input", line, why);
 }
 
 static void write_vehicle(const struct veh *v, uint64_t hash, const char *path)
@@ -90,7 +149,13 @@ int main(int argc, char **argv)
     }
     if ((why = veh_text_read(&in, path, opt.set.item, opt.set.n, &hash)))
         cli_die("%s", why);
-    cli_check(path, vehicle_build(&v, &in));
+    why = vehicle_build(&v, &in);
+    if (why && opt.check && v.M && !veh_check(&v)) {    /* doubts may say why it does not stand */
+        print_doubts(&v);
+        fflush(stdout);
+    }
+    if (why)
+        refuse(path, veh_text_line(&in, why), why);
     if (opt.check)
         print_check(&v);
     else

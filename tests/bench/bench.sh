@@ -27,6 +27,12 @@ median()
     done | sort -g | sed -n 2p
 }
 
+# peak COMMAND...: MB.
+peak()
+{
+    "$PWD/build/tests/bench/peak" "$@"
+}
+
 row()
 {
     printf '%s\t%s\t%s\t%s\t%s\n' "$@" >>"$dir/tsv"
@@ -84,6 +90,11 @@ starts()
 
 printf 'name\tvalue\tunit\tbudget\tlimit\n' >"$dir/tsv"
 job "passage, 120 m, 80 km/h, FASTSIM 10x10" 0.6 0.43 passage -o "$dir/d.run"
+vxcreep --table -o "$dir/f.creep"
+job "the same with the fast creep law" 0.3 0.13 passage --creep "$dir/f.creep" -o "$dir/d.run"
+"$PWD/build/tests/bench/creep" "$dir/f.creep" >"$dir/creep"
+row "creep force, FASTSIM 10x10" "$(awk '$1 == "fastsim" {print $2}' "$dir/creep")" ns - 370
+row "creep force, table" "$(awk '$1 == "table" {print $2}' "$dir/creep")" ns 100 -
 row "start-up" "$(median starts | awk '{print $1/10}')" s 0.03 -
 job "contact table, 30 sections, 2 sides, 21 yaws, 0.1 mm" 3 - both_tables thirty
 sections=$(vxinfo "$dir/full-l.prof" | awk '$2 == "station" {print $4}')
@@ -93,13 +104,17 @@ VX_CACHE=$dir/cache both_tables full
 VX_CACHE=$dir/cache job "the same from the cache" - - both_tables full
 "$PWD/build/tests/bench/lookup" "$dir/full-l.ctab" >"$dir/lookup"
 row "contact look-up, along a run" "$(awk '$1 == "along" {print $2}' "$dir/lookup")" ns 150 -
-row "contact look-up, at random" "$(awk '$1 == "random" {print $2}' "$dir/lookup")" ns 150 -
+row "contact look-up, at random" "$(awk '$1 == "random" {print $2}' "$dir/lookup")" ns 150 "$(awk '$1 == "chain" {print $2}' "$dir/lookup")"
 job "receptance, 120 m track, 1451 frequencies" 0.5 0.17 \
     vxfreq --receptance --excite both --at sleeper --from 50 --to 1500 --step 1 "$dir/straight.trk"
+job "assembly, 120 m, the straight track" 0.05 - vxtrack --set from=-60 --set length=120 -o "$dir/straight.trk" data/tracks/thesis-straight.yaml
 fine="--set rail.mass_model=consistent --set rail.beam=timoshenko --set rail.elements_per_bay=8"
 job "assembly, 120 m, Timoshenko, eight elements a bay" 0.05 - \
     vxtrack $fine --set from=-60 --set length=120 -o "$dir/fine.trk" data/tracks/thesis-straight.yaml
 job "receptance of it, 1451 frequencies" - - vxfreq --receptance --from 50 --to 1500 -o "$dir/fine.frf" "$dir/fine.trk"
+
+row "memory of vxtrack for it" "$(peak vxtrack $fine --set from=-60 --set length=120 -o "$dir/fine.trk" data/tracks/thesis-straight.yaml)" MB 100 -
+row "memory of vxfreq for it" "$(peak vxfreq --receptance --from 50 --to 1500 -o "$dir/fine.frf" "$dir/fine.trk")" MB 100 -
 
 # long METRES: assembly, eleven frequencies, one static solution.
 long()
@@ -108,10 +123,13 @@ long()
     vxfreq --receptance --from 100 --to 1100 --step 100 -o "$dir/long.frf" "$dir/long.trk"
     vxfreq --static --load 1000 "$dir/long.trk"
 }
-kilometre=$(median long 1020)
-ten=$(median long 10200)
-row "track, 11 frequencies, statics: 10.2 km of it" "$ten" s - -
-row "the same over ten times 1.02 km" "$(awk -v a="$ten" -v b="$kilometre" 'BEGIN {print a/b/10}')" 1 - -
+# Linear in length: the seconds of a kilometre are those of the first ones.
+for metres in 1200 2400 4800 10200; do
+    seconds=$(median long $metres)
+    row "track, 11 frequencies, statics: $metres m, eight elements" "$seconds" s - -
+    first=${first:-$(awk -v s="$seconds" -v m=$metres 'BEGIN {print s/m}')}
+    row "seconds of a metre of $metres m over those of 1200 m" "$(awk -v s="$seconds" -v m=$metres -v f="$first" 'BEGIN {print s/m/f}')" 1 - -
+done
 passage -v -o "$dir/d.run" 2>"$dir/account"
 row "memory of one run" "$(sed -n 's/.*peak memory \([0-9]*\) MB.*/\1/p' "$dir/account")" MB 100 -
 

@@ -105,6 +105,26 @@ $bin/vxvehicle data/vehicles/manchester-passenger.yaml | $bin/vxfreq --modes 18 
 [ "$(wc -l <"$tmp/modes")" -eq 18 ] && grep -q 'carbody bounce' "$tmp/modes" && grep -q 'bogie pitch' "$tmp/modes"
 ok $? "a coach has eighteen modes with its wheelsets held, among them carbody bounce"
 
+# A void of 0.2 mm: a small load finds no ballast there, 60 kN a rail close it, and with it standing there the receptance is that without void.
+$bin/vxtrack --set 'ballast.gap={number: [0, 1, 2], value: [0, 0.2e-3, 0]}' -o "$tmp/v.trk" data/tracks/thesis-straight.yaml
+$bin/vxtrack --set 'ballast.stiffness={number: [0, 1, 2], value: [280e6, 1e-9, 280e6]}' \
+	--set 'ballast.damping={number: [0, 1, 2], value: [120e3, 0, 120e3]}' -o "$tmp/none.trk" data/tracks/thesis-straight.yaml
+at() { $bin/vxfreq --stiffness "$@" --every 0.3 | awk '$1 > 0.29 && $1 < 0.31 { print $4 }'; }
+[ "$(at "$tmp/v.trk")" = "$(at "$tmp/none.trk")" ] && [ "$(at --load 1000 "$tmp/v.trk")" = "$(at "$tmp/none.trk")" ]
+ok $? "static stiffness over a void is that without ballast there, of small loads"
+awk -v a="$(at "$tmp/v.trk")" -v b="$(at --load 60000 "$tmp/v.trk")" -v c="$(at --load 200000 "$tmp/v.trk")" \
+	-v d="$(at "$tmp/t.trk")" 'BEGIN { exit !(1.4 * a < b && b < c && c < d) }'
+ok $? "rises with the load, and stays below that of a track without voids"
+[ "$($bin/vxfreq --static --load 60000 --axles 0.3 --every 0.3 "$tmp/v.trk" | awk '$1 > 0.29 && $1 < 0.31 { print $2 }')" = 0.000372618 ]
+ok $? "the bowl has the deflection of --static"
+peaks() { $bin/vxfreq --receptance --peaks --to 600 --x 0.3 "$@"; }
+peaks --preload 60000 "$tmp/v.trk" >"$tmp/p1" && peaks "$tmp/t.trk" | cmp -s - "$tmp/p1"
+ok $? "under a wheel of 60 kN the receptance is that of ballast without voids"
+peaks "$tmp/v.trk" >"$tmp/p1" && peaks "$tmp/none.trk" | cmp -s - "$tmp/p1"
+ok $? "without it that of no ballast there"
+refuses 2 "goes with" "a preload of modes" $bin/vxfreq --modes 3 --preload 1000 "$tmp/t.trk"
+refuses 2 "goes with" "a load of a receptance" $bin/vxfreq --receptance --load 1000 "$tmp/t.trk"
+
 $bin/vxfreq -h | grep -q '^vxfreq --modes N'
 ok $? "-h prints the usage"
 refuses 2 "one of" "no task" $bin/vxfreq "$tmp/t.trk"
@@ -119,7 +139,7 @@ refuses 2 "must be" "an axle beyond the track" $bin/vxfreq --static --load 1 --a
 refuses 2 "standard output" "a table into a file" $bin/vxfreq --stiffness -o "$tmp/k" "$tmp/t.trk"
 refuses 2 "loads rails" "a static load on a sleeper" $bin/vxfreq --static --load 1 --excite sleeper "$tmp/t.trk"
 refuses 2 "must be -14.7" "a station beyond the track" $bin/vxfreq --receptance --at 15.1 "$tmp/t.trk"
-refuses 2 "NUMBER" "a place that is none" $bin/vxfreq --receptance --at bridge "$tmp/t.trk"
+refuses 2 "must be sleeper, midspan or a station" "a place that is none" $bin/vxfreq --receptance --at bridge "$tmp/t.trk"
 refuses 1 "of a track" "damped modes of a vehicle" sh -c "$bin/vxvehicle data/vehicles/wheelset.yaml | $bin/vxfreq --modes 1 --damped -"
 refuses 2 "goes with" "--text without --modes" $bin/vxfreq --receptance --text "$tmp/t.trk"
 refuses 2 "input is missing" "no input" $bin/vxfreq --receptance

@@ -27,6 +27,8 @@ vxfreq --receptance --at midspan --from 20 --to 1500 --step 5 -o "$dir/midspan.f
 vxfreq --modes 3 --near 129 -o "$dir/track.mod" "$dir/track.trk"
 vxcontact --rolling-radius "$dir/l.ctab" "$dir/r.ctab" >"$dir/radius.txt"
 vxvehicle -o "$dir/wheelset.veh" data/vehicles/wheelset.yaml
+vxvehicle -o "$dir/coach.veh" data/vehicles/manchester-passenger.yaml
+vxfreq --modes 12 -o "$dir/coach.mod" "$dir/coach.veh"
 printf 'case: {name: one wheelset, speed_kmh: 80, start: -6, end: 6}\n' >"$dir/case.yaml"
 vxrun --track "$dir/track.trk" --vehicle "$dir/wheelset.veh" --contact-left "$dir/l.ctab" --contact-right "$dir/r.ctab" \
     -o "$dir/a.run" "$dir/case.yaml"
@@ -39,6 +41,9 @@ draws "a receptance through a pipe" 800x450 sh -c 'vxplot --size 800x450 - <slee
 vxdump --csv sleeper.frf frequency receptance >measured.csv
 draws "a measurement and receptances" 1600x900 vxplot --figure fit measured.csv sleeper.frf midspan.frf
 draws "modes of the track" 800x450 vxplot --size 800x450 track.mod track.trk
+draws "a vehicle in three views" 1600x900 vxplot wheelset.veh
+draws "a window of a coach" 800x450 vxplot --size 800x450 --figure vehicle --from -4 --to 2 coach.veh
+draws "modes of a vehicle" 800x450 vxplot --size 800x450 coach.mod coach.veh
 draws "one mode of each file" 800x450 vxplot --size 800x450 track.trk track.mod track.mod
 draws "sections of a turnout, a window of them" 800x450 vxplot --size 800x450 --from 46 --to 48 turnout.prof
 draws "a single section" 800x450 vxplot --size 800x450 wl.prof
@@ -88,6 +93,8 @@ fails 2 "frames on standard output" vxplot --each --figure sequence wl.prof turn
 fails 2 "an abbreviated option" vxplot --fig vertical a.run
 fails 1 "a sleeper that is not there" vxplot --figure pads --sleeper 999 a.run
 fails 1 "a wheelset that is not there" vxplot --wheelset 2 a.run
+fails 1 "modes of another vehicle" vxplot coach.mod wheelset.veh
+fails 1 "no body in the window" vxplot --from 30 --to 40 coach.veh
 fails 1 "two kinds that fit no figure" vxplot a.run sleeper.frf
 fails 1 "a figure of another kind" vxplot --figure sections a.run
 fails 1 "rail and wheel swapped" vxplot rr.prof wr.prof r.ctab

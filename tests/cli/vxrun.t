@@ -33,6 +33,10 @@ ok $? "from its own folder, to standard output"
 vxrun --set step=5e-5 -v -o "$dir/c.run" "$plain" >"$dir/out" 2>"$dir/err"
 [ ! -s "$dir/out" ] && grep -q '^vxrun: 900 steps of 5e-05 s, limit 0.00017' "$dir/err"
 ok $? "-v tells steps and limit on standard error"
+grep -q '^vxrun: track explicit, 1200 degrees of freedom, 1.00 rounds of forces a step: lumped' "$dir/err"
+ok $? "and which scheme moves the track, and why"
+grep -q "^vxrun: wheels' work on the track [0-9.]* J: lost [0-9.]*, stored [-0-9.e]*, missing [0-9.]*e-0[4-9] of the loss" "$dir/err"
+ok $? "and the account of its energy"
 vxinfo --history "$dir/c.run" | grep -q 'vxrun --set step=5e-05 -v\|vxrun --set step=5e-5 -v'
 ok $? "--set is part of the history"
 records() { vxinfo "$1" | sed -n 's/^records *\([0-9]*\) .*/\1/p'; }
@@ -45,6 +49,31 @@ is "$(vxinfo "$dir/e.run" | awk '$1 == "series" {print $2}' | tr '\n' ' ')" "tim
 vxpost --wheels "$dir/a.run" >"$dir/wheels.csv"
 vxpost --wheels "$dir/e.run" | cmp -s - "$dir/wheels.csv"
 ok $? "extremes do not depend on the channels kept"
+
+# Friction: a number everywhere, an item of friction_on that holds everywhere, and a falling one that does not fall.
+vxrun --set friction=0.1 -o "$dir/low.run" "$plain"
+sed 's/^  end: .*/&\n  friction_on: [{friction: 0.1, side: left}, {friction: 0.1, side: right}]/' "$plain" >"$dir/cases/on.yaml"
+vxrun -o "$dir/on.run" "$dir/cases/on.yaml"
+vxdump --csv "$dir/low.run" wheel.T >"$dir/low.csv" && vxdump --csv "$dir/on.run" wheel.T | cmp -s - "$dir/low.csv"
+ok $? "friction_on both sides is friction"
+vxrun --set falling.limit=0.4 --set falling.decay=0 -o "$dir/level.run" "$plain"
+vxcmp "$dir/level.run" "$dir/a.run" >/dev/null
+ok $? "friction that does not fall is constant"
+vxrun --set falling.limit=0.01 --set falling.decay=1e3 -o "$dir/fallen.run" "$plain"
+! vxcmp "$dir/fallen.run" "$dir/a.run" >/dev/null
+ok $? "friction that falls is not"
+
+# Creep forces by table: named by the case or the option, near those of FASTSIM.
+vxcreep --table --grid 20 -o "$dir/f.creep"
+vxrun --creep "$dir/f.creep" -o "$dir/g.run" "$plain"
+ok $? "--creep takes a table"
+vxrun --set creep=../f.creep -o "$dir/h.run" "$plain" && vxcmp "$dir/g.run" "$dir/h.run" >/dev/null
+ok $? "as does the case"
+! vxcmp "$dir/a.run" "$dir/g.run" >/dev/null
+ok $? "which is not FASTSIM"
+vxcreep --table --grid 5 --poisson 0.3 -o "$dir/p.creep"
+fails 1 "a table of another Poisson's ratio is refused" vxrun --creep "$dir/p.creep" -o "$dir/i.run" "$plain"
+fails 1 "so is what is no table" vxrun --creep "$dir/t.trk" -o "$dir/i.run" "$plain"
 
 vxrun --master >"$dir/master.yaml"
 sed -e 's/name: .*/name: x/' -e 's/speed_kmh: .*/speed_kmh: 80/' -e '/^  dip:/,$d' "$dir/master.yaml" >"$dir/filled.yaml"
@@ -88,14 +117,16 @@ refuses 1 "one of explicit" "a scheme that is not built" --set scheme=newmark "$
 refuses 1 "one of facing" "a direction that is not built" --set direction=trailing "$plain"
 refuses 1 "a .veh file where a .trk file is wanted" "the wrong kind" --track "$dir/coach.veh" "$plain"
 vxtrack -o "$dir/mass.trk" data/tracks/moving-mass.yaml
-refuses 1 "a moving-mass track has receptance, modes and statics" "a moving mass" --track "$dir/mass.trk" "$plain"
+vxrun --track "$dir/mass.trk" -o "$dir/m.run" "$plain"
+ok $? "a moving mass goes with the train"
+refuses 1 "explicit scheme wants" "one in explicit steps" --track "$dir/mass.trk" --set scheme=explicit "$plain"
 refuses 1 "a .ctab file where a .veh file is wanted" "another" --vehicle "$dir/l.ctab" "$plain"
 refuses 1 "the route is diverging, but this track has no curve" "a straight track for the diverging route" --set route=diverging "$plain"
 refuses 1 "r.ctab: is of side r, but --contact-left wants side l" "a table of the other side" --contact-left "$dir/r.ctab" "$plain"
 refuses 1 "r.ctab: is of side r, but --contact-left wants side l" "both exchanged" --contact-left "$dir/r.ctab" --contact-right "$dir/l.ctab" "$plain"
 head -c 100000 "$dir/l.ctab" >"$dir/cut.ctab"
 refuses 1 "cut.ctab: truncated" "a table cut short" --contact-left "$dir/cut.ctab" "$plain"
-refuses 1 "beyond the limit of the explicit scheme" "too long a step" --set step=2e-4 "$plain"
+refuses 1 "beyond the limit of the explicit scheme" "too long a step" --set scheme=explicit --set step=2e-4 "$plain"
 refuses 1 "limit of the wheelsets' spin at 1.39 m/s" "too long a step for so low a speed" --set speed_kmh=5 "$plain"
 refuses 1 "the last wheelset would start at -71.56 m" "a start before the track" --set start=-50 "$plain"
 refuses 1 "the front wheelset would end at 60.00 m" "an end beyond it" --set end=60 "$plain"
@@ -104,14 +135,39 @@ refuses 1 "not a whole number of steps" "samples between steps" --set sampling=3
 vxvehicle --set wheelset.1.radius=0.45 --set coupling.1.at=[0,1.0,0.45] -o "$dir/small.veh" data/vehicles/manchester-passenger.yaml
 refuses 1 "wheelset 1 has radius 0.45 m" "a wheel that is not the table's" --vehicle "$dir/small.veh" "$plain"
 vxtrack --set from=-60 --set length=120 --set rail.elements_per_bay=2 -o "$dir/fine.trk" data/tracks/thesis-straight.yaml
-refuses 1 "one rail node above every sleeper" "a finer track" --track "$dir/fine.trk" "$plain"
+refuses 1 "one rail node above every sleeper" "a finer track" --set scheme=explicit --track "$dir/fine.trk" "$plain"
 for model in mass_model=consistent beam=timoshenko; do
     vxtrack --set from=-60 --set length=120 --set rail.$model -o "$dir/fine.trk" data/tracks/thesis-straight.yaml
-    refuses 1 "wants lumped Euler-Bernoulli rails" "a track with $model" --track "$dir/fine.trk" "$plain"
+    refuses 1 "wants lumped Euler-Bernoulli rails" "a track with $model" --set scheme=explicit --track "$dir/fine.trk" "$plain"
+    vxrun -v --track "$dir/fine.trk" -o "$dir/f.run" "$plain" 2>"$dir/err"
+    is "$? $(grep -c '^vxrun: track implicit, .*wants lumped Euler-Bernoulli rails' "$dir/err")" "0 1" "... which scheme: auto takes, and says why"
 done
 vxtrack --set from=-60 --set length=120 --set 'curve=[{from: -40, curvature: 0.002}]' -o "$dir/curve.trk" data/tracks/thesis-straight.yaml
 refuses 1 "in or behind a curve" "a start in a curve" --track "$dir/curve.trk" "$plain"
 
+printf 'station (m), cross_level (mm)\n-100, 0.1\n100, 0.2\n' >"$dir/cases/level.csv"
+printf 'station (m), gauge (mm)\n1, 0.1\n2, 0.2\n' >"$dir/cases/short.csv"
+flawed()
+{
+    printf "$3" >"$dir/cases/flawed.csv"
+    refuses 1 "flawed.csv: $1" "an irregularity with $2" --set irregularity.file=flawed.csv "$plain"
+}
+flawed "line 1: a heading must name each column" "no units" 'station, gauge\n1, 2\n'
+flawed "line 1: unit of column 'gauge' must be m or mm, is 'cm'" "an odd unit" 'station (m), gauge (cm)\n1, 2\n'
+flawed "line 1: column 'twist' is none of" "a quantity that is not known" 'station (m), twist (m)\n'
+flawed "line 1: column 'gauge' is there twice" "a column twice" 'station (m), gauge (m), gauge (m)\n'
+flawed "line 1: column 'station' is missing" "no station" 'gauge (m)\n1\n'
+flawed "line 1: no column beside the station" "stations alone" 'station (m)\n1\n'
+flawed "line 3: station 1 m must lie beyond" "a station twice" 'station (m), gauge (m)\n1, 0\n1, 0\n'
+flawed "line 2: 'x' is not a number" "a word" 'station (m), gauge (m)\n1, x\n'
+flawed "line 2: 'nan' is not a number" "nan" 'station (m), gauge (m)\n1, nan\n'
+flawed "line 2: should be 2 numbers between commas" "a third number" 'station (m), gauge (m)\n1, 2, 3\n'
+flawed "fewer than two lines" "one line" 'station (m), gauge (m)\n1, 2\n'
+refuses 1 "irregularity: reaches from 1 to 2 m, but" "an irregularity that is too short" --set irregularity.file=short.csv "$plain"
+refuses 1 "none.csv: No such file" "an irregularity that is not there" --set irregularity.file=none.csv "$plain"
+refuses 1 "file and spectrum exclude each other" "irregularity twice" --set irregularity.file=level.csv --set irregularity.spectrum=erri-low "$plain"
+refuses 1 "shortest, 80 m, must be below longest" "wavelengths the wrong way" --set irregularity.spectrum=erri-low --set irregularity.shortest=80 "$plain"
+refuses 1 "wheel_flat.1.wheelset is 9, but the vehicle has" "a flat on no wheelset" --set 'wheel_flat=[{wheelset: 9, length: 0.05}]' "$plain"
 fails 1 "a full disk" vxrun -o /dev/full "$plain"
 vxrun "$plain" >/dev/full 2>"$dir/err"
 is "$? $(cat "$dir/err")" "1 vxrun: standard output: write error: No space left on device" "a full standard output"
@@ -131,4 +187,8 @@ is "$(vxinfo "$dir/x.run.part" | head -n 1 | grep -c 'NOT COMPLETE')" 1 "but a .
 at=$(sed -n 's/.*station \(-[0-9.]*\) m.*/\1/p' "$dir/err")
 last=$(vxdump --csv "$dir/x.run.part" station | tail -n 1)
 between "$last" "$(echo "$at" | awk '{print $1 - 0.023}')" "$at" "with samples up to there"
+like "$(vxinfo "$dir/x.state" | grep '^FAILED=')" 'wheelset 1, .* beside its rail' "and the state of the step that failed, with the reason"
+fails 1 "from which no run goes on" vxrun --track "$dir/curve.trk" --start "$dir/x.state" --set end=30 -o "$dir/y.run" "$plain"
+like "$(cat "$dir/err")" 'is what a run that failed has left' "which is said"
+fails 2 "--save-state without -o" vxrun --save-state -29.5 "$plain"
 done_testing

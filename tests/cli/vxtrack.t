@@ -50,7 +50,7 @@ $bin/vxfreq --receptance --peaks "$tmp/mass.trk" | awk '/^peak/ { f[++n] = $2 }
 ok $? "its receptance peaks at 119 and 483 Hz, and nowhere else"
 $bin/vxtrack --set model=moving_mass --set length=0.6 $track | $bin/vxfreq --modes 3 --text - | grep -q '^1  124.4820 '
 ok $? "the straight track's input makes one too"
-refuses 1 "midspan: a moving mass has no span" "halfway between its sleepers" $bin/vxfreq --receptance --at midspan "$tmp/mass.trk"
+refuses 2 "midspan: a moving mass has no span" "halfway between its sleepers" $bin/vxfreq --receptance --at midspan "$tmp/mass.trk"
 refuses 1 "which a moving mass has" "a moving mass of two bays" $bin/vxtrack --set length=1.2 data/tracks/moving-mass.yaml
 refuses 1 "held is for model: moving_mass alone" "sleepers held in roll under a fixed track" $bin/vxtrack --set sleeper.roll=held $track
 
@@ -169,9 +169,89 @@ check_rail.1.play={station: [44, 43], value: [0.01, 0.01]}|play: places must inc
 check_rail.1.stiffness=-1|stiffness must be greater than 0
 curve.1.from=60|curve.2.from: 50.592 must be beyond
 curve.1.curvature=-2|curvature must be at least -1
+rail.mass={station: [0, 1], value: [60, 0]}|mass must be greater than 0
+rail.left.mass=-1|mass must be greater than 0
+rail.left.pitch_inertia=0|pitch_inertia must be greater than 0
+rail.right.rotary_inertia={station: [1, 0], value: [1, 1]}|rotary_inertia: places must increase
+ballast.gap=-1e-3|gap must be at least 0
+ballast.gap={number: [1, 2], value: [0, 2]}|gap must be at least 0 and at most 1 m, not 2
+ballast.left.gap=-1|gap must be at least 0
+ballast.middle.stiffness=-1|stiffness must be at least 0
+ballast.right.damping=-1|damping must be at least 0
+ballast.tension=maybe|tension
+railpad.missing=[{sleepers: [[500, 501]]}]|railpad.missing.1.sleepers: \[500, 501\] is not within the track, sleepers -144 to 109
+railpad.missing=[{sleepers: [[3, 3]]}, {sleepers: [[3, 2]]}]|railpad.missing.2.sleepers: \[3, 2\] must be two whole numbers
+railpad.missing=[{sleepers: []}]|railpad.missing.1.sleepers: no sleeper
+railpad.missing=[{sleepers: [[3, 3]], rail: middle}]|rail must be one of left, right, both
+railpad.missing=[{rail: left}]|sleepers
+railpad.missing=[{sleepers: [[-144, 108]], rail: right}]|railpad.missing: the right rail has 1 railpads left
 length=-3|length must be greater than 0
 length=152.5|length: 152.5 m is not a whole number, two or more, of sleeper spacings
 EOF
+
+# Nonsense in a spatial track: the same turnout with dofs: spatial.  KEY=VALUE | what the line must hold
+while IFS='|' read -r set word; do
+	refuses 1 "$word" "refused, spatial: $set" $bin/vxtrack --set dofs=spatial --set "$set" $turnout
+done <<'EOF'
+rail.lateral_bending_stiffness=0|lateral_bending_stiffness must be greater than 0
+rail.left.lateral_bending_stiffness={station: [0, 1], value: [1e6, -1e6]}|lateral_bending_stiffness must be greater than 0
+rail.yaw_inertia=-1|yaw_inertia must be greater than 0
+rail.torsional_stiffness=0|torsional_stiffness must be greater than 0
+rail.polar_inertia=0|polar_inertia must be greater than 0
+rail.head_height=-0.1|head_height must be greater than 0
+rail.foot_depth=2|foot_depth must be greater than 0 and at most 1
+rail.lateral_shear_stiffness=0|lateral_shear_stiffness must be greater than 0
+rail.lateral_rotary_inertia=0|lateral_rotary_inertia must be greater than 0
+sleeper.yaw_inertia=0|yaw_inertia must be greater than 0
+sleeper.seat_height=-0.1|seat_height must be at least 0
+railpad.lateral_stiffness=-25e6|lateral_stiffness must be greater than 0
+railpad.lateral_damping=-1|lateral_damping must be at least 0
+railpad.width=0|width must be greater than 0
+railpad.length=-0.1|length must be at least 0
+ballast.lateral_stiffness=0|lateral_stiffness must be greater than 0
+ballast.lateral_damping=-1|lateral_damping must be at least 0
+ballast.longitudinal_stiffness=0|longitudinal_stiffness must be greater than 0
+ballast.longitudinal_damping=-1|longitudinal_damping must be at least 0
+zone.1.railpad.lateral_stiffness=-1|lateral_stiffness must be greater than 0
+zone.1.railpad.lateral_damping=-1|lateral_damping must be greater than 0
+check_rail.1.beam.to=43.2|check_rail.1.beam.to: 43.2 must be beyond the 43.2 of from
+check_rail.1.beam.from=50|check_rail.1.beam.from: between 50 and 50.4 m stand fewer than two sleepers
+check_rail.1.beam.side=3|check_rail.1.beam.side: 3.[0-9]* m beside the middle of sleeper
+check_rail.1.beam.mass=0|mass must be greater than 0
+check_rail.1.beam.stiffness=-1|stiffness must be greater than 0
+check_rail.1.beam.lateral_damping=-1|lateral_damping must be greater than 0
+model=moving_mass|dofs: spatial is not for model: moving_mass
+dofs=lateral|dofs must be one of vertical, spatial
+EOF
+
+# What a spatial track needs, one key after the other taken away.
+for key in lateral_bending_stiffness yaw_inertia torsional_stiffness polar_inertia head_height foot_depth lateral_stiffness lateral_damping \
+	width longitudinal_stiffness longitudinal_damping; do
+	sed "/^    $key:/d" $track >"$tmp/less.yaml"
+	refuses 1 "$key: dofs: spatial needs it" "spatial without $key" $bin/vxtrack --set dofs=spatial "$tmp/less.yaml"
+done
+sed '/lateral_shear_stiffness/d' $track >"$tmp/less.yaml"
+refuses 1 "rail.lateral_shear_stiffness: dofs: spatial needs it" "a spatial Timoshenko rail without lateral shear stiffness" \
+	$bin/vxtrack --set dofs=spatial --set rail.beam=timoshenko "$tmp/less.yaml"
+
+# The spatial turnout goes through receptance, modes, statics and stiffness; a vertical track does not move sideways.
+$bin/vxtrack --set dofs=spatial -o "$tmp/s.trk" $turnout && $bin/vxinfo "$tmp/s.trk" >"$tmp/info" && grep -q 'A.p  *i64  *3617 ' "$tmp/info" &&
+	grep -q 'check.node  *i64  *12 ' "$tmp/info" && grep -q '^DOFS= spatial' "$tmp/info"
+ok $? "the spatial turnout builds, its check rail over twelve sleepers, with 3616 degrees of freedom"
+$bin/vxfreq --static --load 1000 "$tmp/s.trk" | grep -q '^seat force' && $bin/vxfreq --stiffness --every 10 "$tmp/s.trk" >"$tmp/out" &&
+	$bin/vxfreq --modes 4 --near 113 --text "$tmp/s.trk" | grep -q 'lateral'
+ok $? "statics, stiffness and modes, which are named by kind"
+$bin/vxtrack --set dofs=spatial -o "$tmp/s.trk" $track
+peak() { $bin/vxfreq --receptance --excite left --peaks --direction lateral "$@" "$tmp/s.trk"; }
+peak --to 200 | awk '/^peak/ { exit !($2 > 112.2 && $2 < 114.2 && $3 > 1.0e-7 && $3 < 1.04e-7) }'
+ok $? "sideways a rail of the straight track peaks at 113 Hz with 1.02e-7 m/N"
+peak --at midspan --from 380 --to 420 | awk '/^peak/ && $2 > 395 && $2 < 398 { good = 1 } END { exit !good }'
+ok $? "and between sleepers at 396 Hz, pinned-pinned: sqrt(4 EI/(L I))/2 pi = 397 Hz"
+$bin/vxfreq --receptance --direction lateral --motion-direction vertical --excite left "$tmp/s.trk" >"$tmp/out" &&
+	$bin/vxinfo "$tmp/out" | grep -q '^FORCE_DIRECTION= lateral' && $bin/vxinfo "$tmp/out" | grep -q '^MOTION_DIRECTION= vertical'
+ok $? "force and motion have a direction each"
+refuses 2 "lateral wants one of dofs: spatial" "a vertical track pushed sideways" $bin/vxfreq --receptance --direction lateral "$tmp/a.trk"
+refuses 2 "go with --receptance" "a direction of modes" $bin/vxfreq --modes 2 --direction lateral "$tmp/s.trk"
 
 # The same in a file: the place of it too.  s/FROM/TO/ | what the line must hold after the name of the file, LINE the first that is edited
 while IFS='|' read -r edit word; do
@@ -192,6 +272,24 @@ s/50.592,/-50.592,/| error: curve.2.from: -50.592 must be beyond
 s/.91, 100./[85, 100]/| zone.3.sleepers: the left railpad of sleeper 85 is in two zones, closure and crossing
 s/.91, 100./[91, 1000]/| zone.2.sleepers: .91, 1000. is not within the track
 EOF
+
+refuses 1 "sleeper 5: 1 of its railpads and ballast springs is there" "a sleeper on its middle alone" $bin/vxtrack \
+	--set 'ballast.left.stiffness={number: [4, 5, 6], value: [1e8, 0, 1e8]}' \
+	--set 'ballast.right.stiffness={number: [4, 5, 6], value: [1e8, 0, 1e8]}' --set 'railpad.missing=[{sleepers: [[5, 5]]}]' $turnout
+refuses 1 "a moving mass has both" "a moving mass without a railpad" $bin/vxtrack --set 'railpad.missing=[{sleepers: [[1, 1]]}]' data/tracks/moving-mass.yaml
+refuses 1 "no void beneath" "a moving mass over a void" $bin/vxtrack --set ballast.gap=1e-3 data/tracks/moving-mass.yaml
+refuses 1 "a lumped rail needs it" "pitch inertia of one lumped rail alone" sh -c "sed '/pitch_inertia: 1.25/d' $track | $bin/vxtrack --set rail.left.pitch_inertia=1.25 -"
+
+# A rail's mass and a void change what they should: kg on the node, m under a wheel.
+$bin/vxtrack --set 'rail.left.mass={station: [0, 1.2], value: [60, 180]}' -o "$tmp/heavy.trk" $track
+$bin/vxdump --csv "$tmp/heavy.trk" rail.mass | awk -F, 'NR == 2 { left = $26 } NR == 3 { right = $26 } END { exit !(left > 53.9999 && left < 54.0001 && right == 36) }'
+ok $? "mass 60 to 180 kg/m over 1.2 m: 54 kg at 0.3 m, 36 kg beside it"
+gap() { $bin/vxtrack --set "ballast.gap={number: [0, 1, 2], value: [0, $1, 0]}" $track | $bin/vxfreq --static --load 60000 --x 0.3 - | awk '/^deflection/ { print $2 }'; }
+[ "$(gap 1e-9)" = 0.000298623 ] && [ "$(gap 0.05)" = "$($bin/vxtrack --set 'ballast.stiffness={number: [0, 1, 2], value: [280e6, 1e-9, 280e6]}' $track |
+	$bin/vxfreq --static --load 60000 --x 0.3 - | awk '/^deflection/ { print $2 }')" ]
+ok $? "a gap of nothing is linear ballast, one of 50 mm is none"
+awk -v a="$(gap 0.0002)" 'BEGIN { exit !(a > 0.00037 && a < 0.000375) }'
+ok $? "one of 0.2 mm closes under 60 kN a rail"
 
 sed 's/stiffness: 300e6/stiffness: 300 MN/' $track >"$tmp/unit.yaml"
 refuses 1 "unit.yaml:[0-9]*:[0-9]*: error: " "a unit in a number, told with its place" $bin/vxtrack "$tmp/unit.yaml"

@@ -33,9 +33,32 @@ is 0 "the coach of 19 t" "$bin/vxvehicle" --check "$data/passenger-19t.yaml"
 says "stands with 93.2 kN a wheel" "left 93195.0 N  right 93195.0 N"
 is 0 "the wagon of 22.5 t" "$bin/vxvehicle" --check "$data/freight-y25-22t5.yaml"
 says "stands with 110.4 kN a wheel" "left 110362.5 N  right 110362.5 N"
+is 0 "empty" "$bin/vxvehicle" --check "$data/freight-y25-tare.yaml"
+says "24.5 kN" "left 24525.0 N  right 24525.0 N"
 is 0 "a single wheelset" "$bin/vxvehicle" --check "$data/wheelset.yaml"
 is 0 "the example of the man page" "$bin/vxvehicle" --check --set body.1.mass=40000 "$coach"
 says "has its 52 482 kg" "mass       52482 kg"
+
+is 0 "a check" "$bin/vxvehicle" --check "$coach"
+says "tells what is held" "support    every body is held"
+says "how far a spring is bent" "primary1-r       carries 45653.3 N  bent by 37.421 mm"
+says "how a clearance is used" "bumpstop1        along y  clearance 25 mm  used at rest 0 mm"
+says "and that nothing is doubtful" "doubts     0"
+# doubts NAME KEY=VALUE TEXT: --check of the coach with this value says so.
+doubts() {
+    is 0 "doubtful: $1" "$bin/vxvehicle" --check --set "$2" "$coach"
+    says "and says so" "doubt      $3"
+}
+doubts "a mass in t" body.1.mass=32 "body carbody: a mass of 32 kg; kg are wanted, not t"
+doubts "a stiffness a million times too small" "coupling.7.rotation=[940e3, 0, 1.2]" "coupling antirollbar1: 1.2 N m/rad about z"
+doubts "a damping of Ns/mm" "coupling.1.damping=[15, 2, 4]" "coupling primary1-r: 2 N s/m along y"
+doubts "inertias of no body" "body.1.inertia=[4e6, 1.97e6, 1.97e6]" "body carbody: no body has these inertias, that about x is more than the other two"
+doubts "a wrong coordinate" "coupling.5.at=[-1.28, 10, 0.8275]" "coupling secondary1-r: 8.62 m off body bogie1"
+doubts "a carbody off the middle" body.1.y=0.05 "wheelset wheelset1: "
+"$bin/vxvehicle" --check --set "coupling.5.stiffness=[160e3, 160e3, 0.43]" "$coach" >"$tmp/out" 2>"$tmp/err"
+status=$?
+n=$((n + 1)); [ $status -eq 1 ] && echo "ok $n - a spring that does not carry is refused" || echo "not ok $n - a spring that does not carry is refused"
+says "with the doubt that may be why" "doubt      coupling secondary1-r: 0.43 N/m along z"
 
 is 0 "a file" "$bin/vxvehicle" -o "$tmp/a.veh" "$coach"
 is 0 "is a container" "$bin/vxinfo" "$tmp/a.veh"
@@ -76,8 +99,77 @@ refused "a doubled name" 's/name: bogie2/name: bogie1/' "body bogie1: two bodies
 refused "a missing body" 's/from: bogie1/from: boogie/' "there is no body or wheelset boogie"
 refused "a body without support" 's/430e3\]/0]/' "body carbody: vertical springs do not carry its weight"
 refused "a body that slides" 's/\[160e3, 160e3/[0, 160e3/' "body carbody: nothing holds it along x"
+refused "an axlebox off its axle, with its line" 's/at: \[0, 1.0, 0.46\]/at: [0, 1.0, 0.5]/' \
+    "bad.yaml:$(grep -n 'name: primary1' "$coach" | cut -d: -f1): error: coupling primary1-r: must sit on the axle"
 refused "an axlebox off its axle" 's/at: \[0, 1.0, 0.46\]/at: [0, 1.0, 0.5]/' "must sit on the axle of wheelset wheelset1"
 refused "a stop that falls" 's/\[0.035, 1760\]/[0.035, 60]/' "stop bumpstop1: its table does not rise"
+refused "a missing body, with its line" 's/from: bogie1/from: boogie/' "bad.yaml:$(sed -n '/from: bogie1/{=;q;}' "$coach" | awk '{print $1 - 1}'): error:"
+
+# The wagon after this change.
+wagon=$data/freight-y25-22t5.yaml
+refused_wagon() {
+    sed "$2" "$wagon" >"$tmp/bad.yaml"
+    is 1 "refused: $1" "$bin/vxvehicle" "$tmp/bad.yaml"
+    says "and says so" "$3"
+}
+refused_wagon "friction of a spring that is none" 's/spring: nest-a/spring: nest-x/' "there is no coupling or spring nest-x"
+refused_wagon "frictions that load each other" 's/spring: nest-a/spring: lenoir-b/' "error: friction lenoir-a1: there is no coupling or spring lenoir-b"
+refused_wagon "a friction that loads itself" 's/spring: nest-a/spring: lenoir-a/' "error: friction lenoir-a1: there is no coupling or spring lenoir-a"
+refused_wagon "friction without a stick stiffness" 's/\[0, 8e6, 8e6\]/[0, 0, 0]/' "needs a stick stiffness"
+refused_wagon "a torque without its lever" 's/radius: 0.127 .*//' "a radius goes with a rotation"
+refused_wagon "friction that gives energy" 's/coefficient: 0.3 /coefficient: -0.3 /' "coefficient must be at least 0"
+refused_wagon "a spring that falls" 's/\[0.060, 104.8e3\]/[0.060, 10e3]/' "spring nest-a1-r: its table does not rise"
+refused_wagon "springs that end before the weight does" 's/\[0.060, 104.8e3\]/[0.060, 32e3]/' "vertical springs do not carry its weight"
+refused_wagon "a preload its table has not" 's/, \[0.0375, 20.6e3\], \[0.0385, 50.6e3\]/, [0.01, 10e3], [0.02, 10e3]/' "spring bearer1-r: its table does not reach its preload"
+refused_wagon "two bogies at one place" 's/at: \[-0.9, -14.96\]/at: [-0.9, -0.9]/' "is not behind the wheelset before it"
+refused_wagon "a bogie in a bogie" 's/^      stop:/      bogie:/' "unknown key bogie in bogie"
+
+# rig MORE: a frame on a wheelset, and what else is on it.
+rig() {
+    cat <<END
+vehicle:
+  name: rig
+  body:
+    - {name: frame, mass: 10000, inertia: [9300, 9300, 9300], x: 0, height: 0.6}
+  wheelset:
+    - {name: wheelset, mass: 1800, inertia: [1100, 110, 1100], x: 0, radius: 0.46}
+  coupling:
+    - {name: primary, from: wheelset, to: frame, at: [0, 1, 0.46], mirror: true, stiffness: [3e6, 4e6, 1e6], rotation: [0, 1e7, 0]}
+END
+    printf '  %s\n' "$@"
+}
+rig >"$tmp/bad.yaml"
+is 0 "a rig" "$bin/vxvehicle" --check "$tmp/bad.yaml"
+tried() {
+    rig "$2" >"$tmp/bad.yaml"
+    is 1 "refused: $1" "$bin/vxvehicle" "$tmp/bad.yaml"
+    says "and says so" "$3"
+}
+tried "a rod without length" "rod: [{name: r, from: wheelset, to: frame, at: [0, 0, 0.46], end: [0, 0, 0.46], stiffness: 1e6}]" "ends are 0 m apart"
+tried "a rod off its axle" "rod: [{name: r, from: wheelset, to: frame, at: [0, 0, 0.5], end: [1, 0, 0.46], stiffness: 1e6}]" "must sit on the axle"
+tried "a line without an end" "damper: [{name: d, from: wheelset, to: frame, at: [0, 0, 0.46], axis: line, table: [[0, 0], [1, 1e3]]}]" \
+    "bad.yaml:9: error: damper d: axis line and an end go together"
+tried "a damper that pushes" "damper: [{name: d, from: wheelset, to: frame, at: [0, 0, 0.46], axis: x, table: [[0, 10], [1, 1e3]]}]" "must start at 0 m/s"
+tried "a damper that gives way" "damper: [{name: d, from: wheelset, to: frame, at: [0, 0, 0.46], axis: x, table: [[0, 0], [1, 1e3], [2, 1e3]]}]" \
+    "does not rise"
+tried "a spring across with a load" "spring: [{name: s, from: wheelset, to: frame, at: [0, 0, 0.46], axis: y, table: [[0, 10], [1, 1e3]]}]" "needs a row 0, 0"
+tried "friction without a load" "friction: [{name: f, from: wheelset, to: frame, at: [0, 0, 0.46], coefficient: 1, stiffness: [1, 0, 0]}]" "needs a load or a spring"
+tried "two couplings of one name" "stop: [{name: primary-r, from: wheelset, to: frame, at: [0, 0, 0.46], axis: y, table: [[0, 0], [1, 1]]}]" "two are named primary-r"
+tried "an anchor" "stop: &a []" "bad.yaml:9:"
+
+# A ring of couplings is a vehicle: three rods from frame to wheelset close it many times.
+rig "rod: [{name: a, from: wheelset, to: frame, at: [0, 1, 0.46], end: [1, 1, 0.46], stiffness: 1e6}," \
+    "  {name: b, from: frame, to: wheelset, at: [1, -1, 0.46], end: [0, -1, 0.46], stiffness: 1e6}]" >"$tmp/ring.yaml"
+is 0 "couplings in a ring" "$bin/vxvehicle" --check "$tmp/ring.yaml"
+
+# Ten thousand bodies, one on the other.
+{
+    echo "vehicle:"; echo "  name: tower"; echo "  body:"
+    awk 'BEGIN {for (i = 1; i <= 10000; i++) printf "    - {name: b%d, mass: 1, inertia: [1, 1, 1], x: 0, height: 1}\n", i}'
+    echo "  wheelset: [{name: w, mass: 1, inertia: [1, 1, 1], x: 0, radius: 0.5}]"
+} >"$tmp/bad.yaml"
+is 1 "refused: ten thousand bodies" "$bin/vxvehicle" "$tmp/bad.yaml"
+says "and says so" "10001 bodies and wheelsets are more than 500"
 
 # A vehicle file cut anywhere is no vehicle.
 size=$(wc -c <"$tmp/a.veh")

@@ -60,6 +60,22 @@ static void none(void)
     alignment_free(&a);
 }
 
+/* 150 mm over 1.5 m from 10 m to 40 m: sin(angle) = cant/base, twist its derivative, constant beyond. */
+static void cant(void)
+{
+    static const double at[2] = {10, 40}, height[2] = {0, 0.15};
+    struct alignment a;
+
+    ok(alignment_new(&a, 0, NULL, NULL) == NULL, "a straight");
+    alignment_raise(&a, 2, at, height, 1.5);
+    ok(alignment_at(&a, 9).cant == 0 && alignment_at(&a, 9).twist == 0, "level before its cant");
+    near(alignment_at(&a, 25).cant, asin(0.05), 1e-16, "half of it half way up the ramp");
+    near(alignment_at(&a, 25).twist, (alignment_at(&a, 25.01).cant - alignment_at(&a, 24.99).cant) / 0.02, 1e-9, "twist is its derivative");
+    near(alignment_at(&a, 90).cant, asin(0.1), 1e-16, "all of it beyond");
+    ok(alignment_at(&a, 90).twist == 0, "without twist");
+    alignment_free(&a);
+}
+
 int main(void)
 {
     struct alignment a;
@@ -70,5 +86,6 @@ int main(void)
     train_in_a_circle(&a);
     alignment_free(&a);
     none();
+    cant();
     return done();
 }

@@ -13,7 +13,7 @@ enum { BODIES = 3, N = VEH_DOFS*BODIES };   /* frame, carbody, wheelset */
 static const struct vehicle {
     double cg[3*BODIES];
     int64_t type[5], ends[10], bearing[5], axis[5], first[6], wheelset[1];
-    double point[15], stiffness[30], damping[30], preload[15], knot_at[3], knot_force[3];
+    double point[15], stiffness[30], damping[30], preload[15], knot_at[3], knot_force[3], lever[5];
 } store = {
     .cg = {0.5, 0, -0.6, -0.05, 0, -1.8, 0, 0, -0.46},
     .type = {VEH_BUSHING, VEH_BUSHING, VEH_BUSHING, VEH_BUSHING, VEH_STOP},
@@ -34,8 +34,8 @@ static const struct vehicle {
 static struct veh vehicle(const struct vehicle *s)
 {
     return (struct veh){.bodies = BODIES, .couplings = 5, .wheelsets = 1, .knots = 3, .cg = s->cg, .type = s->type, .ends = s->ends,
-                        .bearing = s->bearing, .point = s->point, .stiffness = s->stiffness, .damping = s->damping,
-                        .preload = s->preload, .stop_axis = s->axis, .knot_first = s->first, .knot_at = s->knot_at,
+                        .bearing = s->bearing, .point = s->point, .end = s->point, .stiffness = s->stiffness, .damping = s->damping,
+                        .preload = s->preload, .axis = s->axis, .lever = s->lever, .knot_first = s->first, .knot_at = s->knot_at,
                         .knot_force = s->knot_force, .wheelset = s->wheelset};
 }
 
@@ -81,9 +81,9 @@ static void test_rigid_motion(void)
     double q[N], qd[N] = {0}, f[N] = {0}, rest[N] = {0};
 
     move_rigidly(&v, zero, zero, q);
-    couplings_force(&v, q, qd, rest);
+    couplings_force(&v, NULL, q, qd, rest);
     move_rigidly(&v, shift, zero, q);
-    couplings_force(&v, q, qd, f);
+    couplings_force(&v, NULL, q, qd, f);
     for (int i = 0; i < N; i++)
         f[i] -= rest[i];
     ok(largest(f, N) < 1e-10, "shifted as one, also to the side, a loaded vehicle carries what it carries at rest");
@@ -92,7 +92,7 @@ static void test_rigid_motion(void)
     memset(f, 0, sizeof f);
     move_rigidly(&v, shift, turn, q);
     move_rigidly(&v, shift, turn, qd);
-    couplings_force(&v, q, qd, f);
+    couplings_force(&v, NULL, q, qd, f);
     ok(largest(f, N) < 1e-8, "shifted, rolled and yawed as one, and moving so, an unloaded one feels nothing");
 }
 
@@ -120,7 +120,7 @@ static void test_pairs(void)
 
     draw_all(q, 0.1, 0.1, 1);
     draw_all(qd, 1, 1, 2);
-    couplings_force(&v, q, qd, f);
+    couplings_force(&v, NULL, q, qd, f);
     for (int k = 0; k < 2; k++) {
         sum_forces(&v, q, f, places[k], sum);
         ok(largest(sum, 6) < 1e-12*largest(f, N), "forces and moments cancel about (%g, %g, %g) at 0.1 m and 0.1 rad", places[k][0],
@@ -135,10 +135,10 @@ static void test_spin(void)
 
     draw_all(q, 0.01, 0.01, 3);
     draw_all(qd, 1, 1, 4);
-    couplings_force(&v, q, qd, f);
+    couplings_force(&v, NULL, q, qd, f);
     q[2*VEH_DOFS + VEH_PITCH] += 100;
     qd[2*VEH_DOFS + VEH_PITCH] += 100;
-    couplings_force(&v, q, qd, g);
+    couplings_force(&v, NULL, q, qd, g);
     ok(!memcmp(f, g, sizeof f), "the spin of a wheelset changes no force");
 }
 
@@ -158,7 +158,7 @@ static double loop_work(double size)
         double w = 2*M_PI*(i + 0.5)/STEPS, f[N] = {0};
         for (int k = 0; k < N; k++)
             q[k] = a[k]*(1 - cos(w)) + b[k]*sin(w);
-        couplings_force(&v, q, qd, f);
+        couplings_force(&v, NULL, q, qd, f);
         for (int k = 0; k < N; k++)
             work += f[k]*(a[k]*sin(w) + b[k]*cos(w))*2*M_PI/STEPS;
         if (i < STEPS/4)
@@ -184,7 +184,7 @@ static void test_damping(void)
     memset(s.preload, 0, sizeof s.preload);
     draw_all(qd, 1, 1, 7);
     qd[2*VEH_DOFS + VEH_PITCH] = 0;
-    couplings_force(&v, q, qd, f);
+    couplings_force(&v, NULL, q, qd, f);
     for (int i = 0; i < N; i++)
         power += f[i]*qd[i];
     ok(power < 0, "dampers take energy out: %.3g W", power);
@@ -197,9 +197,9 @@ static void test_sway(void)
     double q[N] = {0}, qd[N] = {0}, f[N] = {0}, rest[N] = {0};
 
     memset(s.stiffness, 0, sizeof s.stiffness);
-    couplings_force(&v, q, qd, rest);
+    couplings_force(&v, NULL, q, qd, rest);
     q[VEH_DOFS + VEH_Y] = 0.01;
-    couplings_force(&v, q, qd, f);
+    couplings_force(&v, NULL, q, qd, f);
     near(f[VEH_DOFS + VEH_ROLL] - rest[VEH_DOFS + VEH_ROLL], 0.5*0.01*10000, 1e-9,
          "half of preload times lateral displacement rolls the carbody outwards");
     near(f[VEH_ROLL] - rest[VEH_ROLL], 0.5*0.01*10000, 1e-9, "and half of it the frame");
@@ -219,7 +219,7 @@ static void test_axes(void)
     move_rigidly(&v, zero, yaw, q);
     q[VEH_DOFS] += 1e-3*cos(0.02);
     q[VEH_DOFS + VEH_Y] += 1e-3*sin(0.02);
-    couplings_force(&v, q, qd, f);
+    couplings_force(&v, NULL, q, qd, f);
     near(f[VEH_DOFS + VEH_Y]/f[VEH_DOFS], tan(0.02), 0.02*0.02, "springs turn with the bodies they join");
 }
 
@@ -233,9 +233,9 @@ static void test_stop(void)
     near(couplings_stop(&v, 4, -0.035), -1760, 1e-9, "odd");
     near(couplings_stop(&v, 4, 0.040), 2920, 1e-9, "beyond its table the last slope goes on");
     q[VEH_DOFS + VEH_Y] = 0.035;
-    couplings_force(&v, q, qd, f);
+    couplings_force(&v, NULL, q, qd, f);
     v.couplings = 4;
-    couplings_force(&v, q, qd, g);
+    couplings_force(&v, NULL, q, qd, g);
     near(f[VEH_DOFS + VEH_Y] - g[VEH_DOFS + VEH_Y], -1760, 1e-9, "the carbody is pushed back");
     near(f[VEH_Y] - g[VEH_Y], 1760, 1e-9, "and the frame pushed away");
 }

@@ -26,7 +26,8 @@ static const char *reopen(struct vxf_out *o, struct vxf *f)
 static void receptance(void)
 {
     static const double f[3] = {10, 20, 30}, H[6] = {1e-9, -1e-9, 2e-9, -2e-9, 3e-9, -3e-9}, wrong[3] = {10, 10, 30};
-    struct frf r = {FRF_MOBILITY, {"both", "sleeper", -0.3}, {"left", "station", 0.1}, 3, f, H, H, 0, NULL}, back;
+    struct frf r = {.quantity = FRF_MOBILITY, .force = {.on = "both", .at = "sleeper", .x = -0.3, .lateral = 1},
+                    .motion = {.on = "left", .at = "station", .x = 0.1}, .n = 3, .frequency = f, .H = H, .hermite = H}, back;
     struct vxf_out o;
     struct vxf file;
 
@@ -34,6 +35,7 @@ static void receptance(void)
     ok(frf_put(&r, &o) == NULL && reopen(&o, &file) == NULL && frf_read(&back, &file) == NULL, "a receptance goes and comes");
     ok(back.quantity == FRF_MOBILITY && strcmp(back.force.on, "both") == 0 && strcmp(back.force.at, "sleeper") == 0 &&
            back.force.x == -0.3 && strcmp(back.motion.on, "left") == 0 && strcmp(back.motion.at, "station") == 0 && back.motion.x == 0.1 &&
+           back.force.lateral && !back.motion.lateral &&
            back.n == 3 && back.hermites == 0 && memcmp(back.H, H, sizeof H) == 0,
        "unchanged");
     struct mod m;

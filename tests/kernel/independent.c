@@ -4,12 +4,13 @@
 #include "tests/kernel/tap.h"
 
 #include <complex.h>
+#include <string.h>
 
 #include "tests/kernel/random.h"
 #include "tests/kernel/table1.h"
 #include "tools/receptance/direct.h"
 
-enum { SLEEPERS = 10, BAY = 3, NODES = (SLEEPERS - 1) * BAY + 1, DOFS = 4 * NODES + 2 * SLEEPERS, TEXT = 700, SETS = 24 };
+enum { SLEEPERS = 10, BAY = 3, NODES = (SLEEPERS - 1) * BAY + 1, DOFS = 4 * NODES + 2 * SLEEPERS, TEXT = 700, SETS = 40 };
 
 static const double TOLERANCE = 1e-9;     /* of the largest response at that frequency */
 static const double FREQUENCY[] = {0, 5, 31.5, 129, 240, 505, 907, 1500};   /* Hz */
@@ -17,10 +18,13 @@ static const double FREQUENCY[] = {0, 5, 31.5, 129, 240, 505, 907, 1500};   /* H
 /* One track as numbers, SI; by sleeper where it may vary. */
 struct sample {
     int sleepers, bay;                              /* elements in a bay */
-    double spacing, rail_spacing, edge, rail_mass, pitch;
+    double spacing, rail_spacing, edge;
     double bending[2];                              /* left, right */
+    double rail_mass[2][2], pitch[2][2];            /* left, right; at the beginning and the end of the track, straight between */
     double mass[SLEEPERS], roll[SLEEPERS], length[SLEEPERS], centre[SLEEPERS];
-    double pad_k[SLEEPERS], pad_c[SLEEPERS], ballast_k[SLEEPERS], ballast_c[SLEEPERS];
+    double pad_k[SLEEPERS], pad_c[SLEEPERS];
+    double ballast_k[3][SLEEPERS], ballast_c[3][SLEEPERS];   /* left, middle, right */
+    int missing[2];                                 /* sleeper whose left or right railpad is not there; -1: none */
 };
 
 /* ---- the sample ---- */
@@ -28,17 +32,23 @@ struct sample {
 /* All of Table 1 times one number. */
 static struct sample scaled(int sleepers, int bay, double by)
 {
-    struct sample s = {.sleepers = sleepers, .bay = bay, .spacing = 0.6 * by, .rail_spacing = 1.5, .edge = 0.35, .rail_mass = 60 * by,
-                       .pitch = 1.25 * by, .bending = {6.11e6 * by, 6.11e6 * by}};
+    struct sample s = {.sleepers = sleepers, .bay = bay, .spacing = 0.6 * by, .rail_spacing = 1.5, .edge = 0.35,
+                       .bending = {6.11e6 * by, 6.11e6 * by}, .missing = {-1, -1}};
 
+    for (int k = 0; k < 4; k++) {
+        s.rail_mass[k / 2][k % 2] = 60 * by;
+        s.pitch[k / 2][k % 2] = 1.25 * by;
+    }
     for (int k = 0; k < sleepers; k++) {
         s.mass[k] = 380 * by;
         s.roll[k] = 155.09 * by;
         s.length[k] = 2.6;
         s.pad_k[k] = 300e6 * by;
         s.pad_c[k] = 50e3 * by;
-        s.ballast_k[k] = 280e6 * by;
-        s.ballast_c[k] = 120e3 * by;
+        for (int b = 0; b < 3; b++) {
+            s.ballast_k[b][k] = 280e6 / 3 * by;
+            s.ballast_c[b][k] = 40e3 * by;
+        }
     }
     return s;
 }
@@ -55,10 +65,14 @@ static struct sample random_sample(void)
     struct sample s = scaled(sleepers < SLEEPERS ? sleepers : SLEEPERS, bay < BAY ? bay : BAY, 1);
 
     s.spacing *= factor();
-    s.rail_mass *= factor();
-    s.pitch *= factor();
-    s.bending[0] *= factor();
-    s.bending[1] *= factor();
+    for (int rail = 0; rail < 2; rail++) {
+        s.bending[rail] *= factor();
+        s.missing[rail] = (int)(2.0 * s.sleepers * random_number()) - s.sleepers;
+        for (int end = 0; end < 2; end++) {
+            s.rail_mass[rail][end] *= factor();
+            s.pitch[rail][end] *= factor();
+        }
+    }
     s.rail_spacing = 1 + random_number();
     s.edge = 0.1 + 0.3 * random_number();
     for (int k = 0; k < s.sleepers; k++) {
@@ -68,8 +82,10 @@ static struct sample random_sample(void)
         s.centre[k] = random_number() - 0.5;
         s.pad_k[k] *= factor();
         s.pad_c[k] *= factor();
-        s.ballast_k[k] *= factor();
-        s.ballast_c[k] *= factor();
+        for (int b = 0; b < 3; b++) {
+            s.ballast_k[b][k] *= factor();
+            s.ballast_c[b][k] *= factor();
+        }
     }
     return s;
 }
@@ -93,6 +109,41 @@ static void set_table(char text[SETS][TEXT], int *n, const char *key, int count,
     snprintf(to + at, (size_t)(TEXT - at), "]}");
 }
 
+static void set_ends(char text[SETS][TEXT], int *n, const char *key, double length, const double value[2])
+{
+    snprintf(text[(*n)++], TEXT, "%s={station: [0, %.17g], value: [%.17g, %.17g]}", key, length, value[0], value[1]);
+}
+
+/* What rails and springs have of their own. */
+static void set_own(char text[SETS][TEXT], int *n, const struct sample *s)
+{
+    static const char *const rail[] = {"left", "right"}, *const spring[] = {"left", "middle", "right"};
+    char key[40];
+    int missing = 0;
+
+    for (int i = 0; i < 2; i++) {
+        snprintf(key, sizeof key, "rail.%s.mass", rail[i]);
+        set_ends(text, n, key, s->sleepers * s->spacing, s->rail_mass[i]);
+        snprintf(key, sizeof key, "rail.%s.pitch_inertia", rail[i]);
+        set_ends(text, n, key, s->sleepers * s->spacing, s->pitch[i]);
+    }
+    for (int i = 0; i < 3; i++) {
+        snprintf(key, sizeof key, "ballast.%s.stiffness", spring[i]);
+        set_table(text, n, key, s->sleepers, s->ballast_k[i]);
+        snprintf(key, sizeof key, "ballast.%s.damping", spring[i]);
+        set_table(text, n, key, s->sleepers, s->ballast_c[i]);
+    }
+    for (int i = 0; i < 2; i++)
+        if (s->missing[i] >= 0) {
+            const int number = s->missing[i] + 1;
+            if (!missing++)
+                snprintf(text[*n], TEXT, "railpad.missing=[{sleepers: [[%d, %d]], rail: %s}]", number, number, rail[i]);
+            else
+                snprintf(strchr(text[*n], 0) - 1, TEXT / 2, ", {sleepers: [[%d, %d]], rail: %s}]", number, number, rail[i]);
+        }
+    *n += missing > 0;
+}
+
 static const char *build(struct trk *t, const struct sample *s)
 {
     char text[SETS][TEXT];
@@ -103,8 +154,6 @@ static const char *build(struct trk *t, const struct sample *s)
     set_number(text, &n, "length", s->sleepers * s->spacing);
     set_number(text, &n, "rail_spacing", s->rail_spacing);
     set_number(text, &n, "ballast.edge", s->edge);
-    set_number(text, &n, "rail.mass", s->rail_mass);
-    set_number(text, &n, "rail.pitch_inertia", s->pitch);
     set_number(text, &n, "rail.elements_per_bay", s->bay);
     set_number(text, &n, "rail.left.bending_stiffness", s->bending[0]);
     set_number(text, &n, "rail.right.bending_stiffness", s->bending[1]);
@@ -115,8 +164,7 @@ static const char *build(struct trk *t, const struct sample *s)
     set_table(text, &n, "sleeper.centre", s->sleepers, s->centre);
     set_table(text, &n, "railpad.stiffness", s->sleepers, s->pad_k);
     set_table(text, &n, "railpad.damping", s->sleepers, s->pad_c);
-    set_table(text, &n, "ballast.stiffness", s->sleepers, s->ballast_k);
-    set_table(text, &n, "ballast.damping", s->sleepers, s->ballast_c);
+    set_own(text, &n, s);
     for (int k = 0; k < n; k++)
         set[k] = text[k];
     return table1(t, set, n);
@@ -162,12 +210,20 @@ static void dense_beam(double complex A[DOFS][DOFS], int w, double EI, double h)
 static void dense_sleeper(double complex A[DOFS][DOFS], const struct sample *s, int k, double complex p)
 {
     const int z = sleeper_z(s, k), roll = z + s->sleepers;
-    const double complex third = (s->ballast_k[k] + p * s->ballast_c[k]) / 3, pad = s->pad_k[k] + p * s->pad_c[k];
     const double a = s->length[k] / 2 - s->edge;
 
-    A[z][z] += p * p * s->mass[k] + 3 * third;
-    A[roll][roll] += p * p * s->roll[k] + 2 * third * a * a;
+    A[z][z] += p * p * s->mass[k];
+    A[roll][roll] += p * p * s->roll[k];
+    for (int b = 0; b < 3; b++) {
+        const double complex spring = s->ballast_k[b][k] + p * s->ballast_c[b][k];
+        const double y = b == 0 ? -a : b == 1 ? 0 : a;
+        A[z][z] += spring;
+        A[z][roll] += spring * y;
+        A[roll][z] += spring * y;
+        A[roll][roll] += spring * y * y;
+    }
     for (int rail = 0; rail < 2; rail++) {
+        const double complex pad = s->missing[rail] == k ? 0 : s->pad_k[k] + p * s->pad_c[k];
         const int w = deflection(s, rail, k * s->bay);
         const double y = (rail ? s->rail_spacing : -s->rail_spacing) / 2 - s->centre[k];
         A[w][w] += pad;
@@ -182,10 +238,16 @@ static void dense_sleeper(double complex A[DOFS][DOFS], const struct sample *s, 
     }
 }
 
+/* Straight from one end of the track to the other, part of the way along. */
+static double between(const double end[2], double part)
+{
+    return end[0] + part * (end[1] - end[0]);
+}
+
 /* K + p C + p^2 M. */
 static void dense_matrix(double complex A[DOFS][DOFS], const struct sample *s, double complex p)
 {
-    const double h = s->spacing / s->bay;
+    const double h = s->spacing / s->bay, length = s->sleepers * s->spacing;
     const int last = nodes_of(s) - 1;
 
     for (int i = 0; i < DOFS; i++)
@@ -196,8 +258,9 @@ static void dense_matrix(double complex A[DOFS][DOFS], const struct sample *s, d
             const int w = deflection(s, rail, i);
             if (i < last)
                 dense_beam(A, w, s->bending[rail], h);
-            A[w][w] += p * p * s->rail_mass * (i == 0 || i == last ? h / 2 + s->spacing / 2 : h);
-            A[w + 1][w + 1] += p * p * s->pitch;
+            const double from = i == 0 ? 0 : s->spacing / 2 + (i - 0.5) * h, to = i == last ? length : s->spacing / 2 + (i + 0.5) * h;
+            A[w][w] += p * p * (to - from) * between(s->rail_mass[rail], (from + to) / 2 / length);
+            A[w + 1][w + 1] += p * p * between(s->pitch[rail], (s->spacing / 2 + i * h) / length);
         }
     for (int k = 0; k < s->sleepers; k++)
         dense_sleeper(A, s, k, p);

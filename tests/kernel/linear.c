@@ -56,9 +56,9 @@ static void test_derivatives(const struct veh *v)
             memset(up, 0, (size_t)n*sizeof *up);
             memset(down, 0, (size_t)n*sizeof *down);
             q[j] = h;
-            couplings_force(v, rate ? zero : q, rate ? q : zero, up);
+            couplings_force(v, NULL, rate ? zero : q, rate ? q : zero, up);
             q[j] = -h;
-            couplings_force(v, rate ? zero : q, rate ? q : zero, down);
+            couplings_force(v, NULL, rate ? zero : q, rate ? q : zero, down);
             q[j] = 0;
             for (int64_t i = 0; i < n; i++)
                 wrong[rate] = fmax(wrong[rate], fabs((rate ? v->C : v->K)[n*i + j] + (up[i] - down[i])/(2*h)));
@@ -124,7 +124,8 @@ static void test_modes(const struct veh *v)
 
 int main(void)
 {
-    static const char *const vehicle[] = {"manchester-passenger", "passenger-19t", "freight-y25-22t5", "wheelset"};
+    static const char *const vehicle[] = {"manchester-passenger", "passenger-19t", "freight-y25-22t5", "freight-y25-22t5-linear",
+                                         "freight-y25-tare", "wheelset"};
 
     for (size_t i = 0; i < sizeof vehicle/sizeof *vehicle; i++) {
         char path[64];

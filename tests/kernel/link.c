@@ -7,18 +7,18 @@ enum { STATIONS = 2, ROWS = 4 };
 
 static const double station[STATIONS] = {46.5, 46.6}, yaw[1], u[1];
 static float row[ROWS][CTAB_N];
-static uint8_t link[ROWS][CTAB_LINKS];
+static uint8_t link[ROWS][CTAB_LINKS], of[ROWS];
 static int32_t first[STATIONS + 1];
-static struct ctab table = {.stations = STATIONS, .yaws = 1, .us = 1, .station = station, .yaw = yaw, .u = u, .first = first, .row = row[0]};
+static struct ctab table = {.stations = STATIONS, .yaws = 1, .us = 1, .station = station, .yaw = yaw, .u = u, .first = first, .row = row[0], .body = of};
 
 static void row_add(double wheel_y, double height, double fall, int body)
 {
-    float *r = row[table.rows++];
+    float *r = row[table.rows];
 
     r[CTAB_WHEEL_Y] = (float)wheel_y;
     r[CTAB_HEIGHT] = (float)height;
     r[CTAB_HEIGHT_S] = (float)fall;
-    r[CTAB_BODY] = (float)body;
+    of[table.rows++] = (uint8_t)body;
 }
 
 static void table_begin(void)

@@ -94,7 +94,7 @@ static void statics(void)
 
     ok(!rig_track(&t, RIG_TURNOUT, NULL, 0) && !lumped_new(&l, &t, g) && !cholesky_new(&s, &t), "the turnout's track, factored");
     double *u = calloc((size_t)t.dofs, sizeof *u);
-    struct lumped_place at = lumped_find(&l, 1, 20.13);
+    struct wheel_place at = lumped_find(&l, 1, 20.13);
     for (int64_t i = 0; i < t.nodes; i++)
         for (int k = 0; k < 2; k++)
             u[t.node_dof[i] + 2 * k] = t.rail_mass[k * t.nodes + i] * g;
@@ -222,7 +222,7 @@ static void wheel_loads(const char *const *set, int sets)
 
     ok(!rig_track(&t, RIG_TURNOUT, set, sets) && !lumped_new(&l, &t, 0) && !cholesky_new(&s, &t), "the turnout's track, factored");
     double *u = calloc((size_t)t.dofs, sizeof *u);
-    struct lumped_place p[2] = {lumped_find(&l, 0, 20.13), lumped_find(&l, 1, 21.47)};
+    struct wheel_place p[2] = {lumped_find(&l, 0, 20.13), lumped_find(&l, 1, 21.47)};
     for (int k = 0; k < 2; k++) {
         memset(l.a, 0, (size_t)(LUMPED_PARTS * l.stride) * sizeof *l.a);
         lumped_load(&l, k, &p[k], 1);
@@ -238,7 +238,7 @@ static void wheel_loads(const char *const *set, int sets)
 
     double h = 1e-6, worst = 0;
     for (double x = 20.05; x < 21.2; x += 0.1) {
-        struct lumped_place a = lumped_find(&l, 0, x - h), b = lumped_find(&l, 0, x), c = lumped_find(&l, 0, x + h);
+        struct wheel_place a = lumped_find(&l, 0, x - h), b = lumped_find(&l, 0, x), c = lumped_find(&l, 0, x + h);
         double difference = lumped_sample(&l, 0, &c, c.shape, l.u) - lumped_sample(&l, 0, &a, a.shape, l.u);
         worst = fmax(worst, fabs(difference / (2 * h) - lumped_sample(&l, 0, &b, b.slope, l.u)));
     }
@@ -266,7 +266,7 @@ static void moments(double along, const char *bending)
     ok(!rig_track(&t, RIG_STRAIGHT, fine, 1) && !lumped_new(&l, &t, 0) && !cholesky_new(&s, &t) &&
        !rig_track(&r, RIG_STRAIGHT, fine, 2) && !cholesky_new(&f, &r), "force at %.2f of a bay", along);
     double *u = calloc((size_t)r.dofs, sizeof *u);
-    struct lumped_place at = lumped_find(&l, 0, x);
+    struct wheel_place at = lumped_find(&l, 0, x);
     for (int j = 0; j < 4; j++)
         u[t.node_dof[at.node + j / 2] + j % 2] += F * at.shape[j];
     cholesky_solve(&s, u, u);

@@ -86,14 +86,14 @@ static double observed_order(struct fixture *f, const struct passage_options *o,
 /* A wheelset under its frame through a dip of 0.3 mm on 1.5 m, at 80 km/h for 0.4 s: 4000 steps of 1e-4 s. */
 static void order(void)
 {
-    static const struct case_dip dip = {-2, 1.5, 0.3e-3};
+    static const struct case_dip dip = {.from = -2, .length = 1.5, .depth = 0.3e-3};
     struct fixture f;
     struct passage_options o = rig_options(-4.5, -4.5 + 0.4 * 80 / 3.6);
     double change, order;
 
     set_up(&f, RIG_STRAIGHT, NULL, 0, RIG_WHEELSET);
-    o.dips = 1;
-    o.dip = &dip;
+    o.excitation.dips = 1;
+    o.excitation.dip = &dip;
     order = observed_order(&f, &o, &change);
     printf("# Hertz without friction: order %.3f, halving 1e-4 s moves the wheelset by %.2e m rms\n", order, change);
     near(order, 2, 0.1, "second order in the step");
@@ -162,8 +162,8 @@ static void start(struct fixture *f, double still)
     for (int64_t i = 0; i < f->vehicle.bodies; i++)
         for (int k = VEH_Z; k <= VEH_PITCH; k++)
             body = fmax(body, fabs(p.train.a[6 * i + k]));
-    for (int64_t k = 0; k < LUMPED_PARTS * p.rails.stride; k++)
-        rail = fmax(rail, p.rails.inverse[k] > 0 ? fabs(p.rails.a[k]) : 0);
+    for (int64_t k = 0; k < LUMPED_PARTS * p.rails.lumped.stride; k++)
+        rail = fmax(rail, p.rails.lumped.inverse[k] > 0 ? fabs(p.rails.lumped.a[k]) : 0);
     printf("# %s: Q off its static value by %.1e, bodies accelerate by %.1e m/s2, rails and sleepers by %.1e m/s2\n", f->vehicle.name, load,
            body, rail);
     near(load, 0, 1e-4, "wheel forces are the static loads");

@@ -5,7 +5,7 @@
 #include "tests/kernel/tap.h"
 #include "tools/integrate/start.h"
 
-static const struct case_dip dip = {0, 1, 1e-3};
+static const struct case_dip dip = {.from = 0, .length = 1, .depth = 1e-3};
 static const int all[RUN_GROUPS] = {1, 1, 1, 1, 1, 1};
 
 struct fixture {
@@ -17,7 +17,7 @@ struct fixture {
 };
 
 /* A wheelset over a dip of 1 mm, which it leaves for a moment at 200 km/h. */
-static void set_up(struct fixture *f, const int *groups, int64_t every)
+static void set_up(struct fixture *f, const int *groups, int64_t every, int lowpass)
 {
     struct passage_options o = rig_options(-2, 3);
     double residual;
@@ -25,13 +25,13 @@ static void set_up(struct fixture *f, const int *groups, int64_t every)
 
     memset(f, 0, sizeof *f);
     o.speed = 200 / 3.6;
-    o.dips = 1;
-    o.dip = &dip;
+    o.excitation.dips = 1;
+    o.excitation.dip = &dip;
     rig_table(&f->table[0], 'l', 0.025);
     rig_table(&f->table[1], 'r', -0.025);
     if ((why = rig_track(&f->track, RIG_STRAIGHT, NULL, 0)) || (why = rig_vehicle(&f->vehicle, RIG_WHEELSET, NULL, 0)) ||
         (why = passage_new(&f->passage, &o, &f->track, &f->vehicle, &f->table[0].ctab, &f->table[1].ctab)) ||
-        (why = passage_start(&f->passage, &residual)) || (why = record_new(&f->record, &f->passage, groups, every))) {
+        (why = passage_start(&f->passage, &residual)) || (why = record_new(&f->record, &f->passage, groups, every, lowpass))) {
         ok(0, "%s", why);
         exit(done());
     }
@@ -90,7 +90,7 @@ static void follow(struct fixture *f, double *most[BOUNDS], double *least_q, int
                         least_q[i] = fmin(least_q[i], low);
                 }
             *samples += r->held;
-            r->held = 0;
+            record_empty(r);
         }
         if (f->passage.n == f->passage.steps)
             return;
@@ -109,7 +109,7 @@ static void extremes(int64_t every)
     double *most[BOUNDS], least_q[2] = {HUGE_VAL, HUGE_VAL};
     int64_t samples;
 
-    set_up(&f, all, every);
+    set_up(&f, all, every, 0);
     for (int b = 0; b < BOUNDS; b++)
         most[b] = calloc((size_t)f.record.size[bounds[b].channel], sizeof *most[b]);
     follow(&f, most, least_q, &samples);
@@ -139,10 +139,10 @@ static void places(void)
     double most = 0, at = 0, sleeper = 0, Q = 0, low = 0, high = 0;
     int64_t where = 0;
 
-    set_up(&f, all, 1);
+    set_up(&f, all, 1, 0);
     for (int full = record_step(&f.record, &f.passage); f.passage.n < f.passage.steps; full = record_step(&f.record, &f.passage)) {
         if (full)
-            f.record.held = 0;
+            record_empty(&f.record);
         if (passage_step(&f.passage))
             break;
         if (f.passage.wheel[0].Q > most) {
@@ -180,9 +180,9 @@ static void groups(void)
     struct fixture f;
     int kept = 0, wrong = 0;
 
-    set_up(&f, wheels, 10);
+    set_up(&f, wheels, 10, 0);
     for (int c = 0; c < RUN_CHANNELS; c++) {
-        int want = run_channels[c].group == RUN_GROUPS || run_channels[c].group == RUN_WHEELS;
+        int want = (run_channels[c].group == RUN_GROUPS && c != RUN_FORCE && c != RUN_PROBE) || run_channels[c].group == RUN_WHEELS;
         kept += f.record.buffer[c] != NULL;
         wrong += (f.record.buffer[c] != NULL) != want;
     }
@@ -194,8 +194,91 @@ static void groups(void)
     tear_down(&f);
 }
 
+enum { STEPS_MOST = 4000 };
+
+/* Records of a channel of one number a record, or of a float's element i, over a whole run into x [STEPS_MOST]; returns how many. */
+static int64_t history(enum run_channel c, int64_t i, int64_t every, int lowpass, double *x)
+{
+    struct fixture f;
+    int64_t n = 0;
+    int full, last = 0;
+
+    set_up(&f, all, every, lowpass);
+    full = record_step(&f.record, &f.passage);
+    for (;;) {
+        if (last)
+            record_end(&f.record, f.passage.n);
+        if (full || last) {
+            for (int64_t k = 0; k < f.record.held; k++, n++)
+                x[n] = run_channels[c].type == VXF_F64 ? ((double *)f.record.buffer[c])[k * f.record.size[c] + i]
+                                                       : (double)((float *)f.record.buffer[c])[k * f.record.size[c] + i];
+            record_empty(&f.record);
+        }
+        if (last)
+            break;
+        if (passage_step(&f.passage))
+            break;
+        last = f.passage.n == f.passage.steps;
+        full = record_step(&f.record, &f.passage);
+    }
+    tear_down(&f);
+    return n;
+}
+
+/* Each record is the weighted mean of the steps around it, as far as there are any. */
+static void filtered(enum run_channel c, int64_t i, double tolerance)
+{
+    static double all_steps[STEPS_MOST], plain[STEPS_MOST], smooth[STEPS_MOST], w[2 * LOWPASS_HALF * 10 + 1];
+    const int64_t half = LOWPASS_HALF * 10, steps = history(c, i, 1, 0, all_steps), n = history(c, i, 10, 0, plain);
+    double worst = 0, size = 0;
+
+    lowpass_weights(10, w);
+    ok(history(c, i, 10, 1, smooth) == n && n == (steps - 1) / 10 + 1, "%s: as many records with the low-pass", run_channels[c].name);
+    for (int64_t k = 0; k < n; k++) {
+        double sum = 0, weight = 0;
+        for (int64_t j = 10 * k - half; j <= 10 * k + half; j++)
+            if (j >= 0 && j < steps) {
+                sum += w[j - 10 * k + half] * all_steps[j];
+                weight += w[j - 10 * k + half];
+            }
+        worst = fmax(worst, fabs(smooth[k] - sum / weight));
+        size = fmax(size, fabs(all_steps[10 * k]));
+    }
+    near(worst / size, 0, tolerance, "and each the weighted mean of the steps around it");
+}
+
+/* Gain at frequency f over that of the samples. */
+static double gain(const double *w, int64_t every, double f)
+{
+    const int64_t half = LOWPASS_HALF * every;
+    double sum = 0;
+
+    for (int64_t k = -half; k <= half; k++)
+        sum += w[k + half] * cos(2 * acos(-1) * f * (double)k / (double)every);
+    return fabs(sum);
+}
+
+static void lowpass(void)
+{
+    for (int64_t every = 2; every <= 50; every *= 5) {
+        static double w[2 * LOWPASS_HALF * 50 + 1];
+        double pass = 0, stop = 0;
+        lowpass_weights(every, w);
+        for (double f = 0; f <= 0.25; f += 0.01)
+            pass = fmax(pass, fabs(gain(w, every, f) - 1));
+        for (double f = 0.75; f <= 0.5 * (double)every; f += 0.01)
+            stop = fmax(stop, gain(w, every, f));
+        near(pass, 0, 0.01, "every few steps: nothing lost up to a quarter of the sampling frequency");
+        near(gain(w, every, 0.5), 0.5, 0.01, "half at a half");
+        near(stop, 0, 0.00316, "50 dB down from three quarters on");
+    }
+}
+
 int main(void)
 {
+    lowpass();
+    filtered(RUN_Q, 0, 1e-12);
+    filtered(RUN_SLEEPER_A, 20, 81 * 6e-8); /* sums of floats */
     extremes(1);
     extremes(10);
     places();

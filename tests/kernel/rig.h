@@ -35,7 +35,8 @@ struct rig_table {
     double station[1], yaw[1], u[RIG_US];
     float row[RIG_US][CTAB_N];
     int32_t first[RIG_US + 1];
-    uint8_t link[RIG_US * CTAB_LINKS];
+    int32_t cell[RIG_US];
+    uint8_t body[RIG_US], branch[2][CTAB_CORNERS];       /* the one branch of all cells */
 };
 
 /* A plane under contact angle g, rail and running circle at y = +-0.75 m. */
@@ -49,7 +50,6 @@ static inline void rig_table(struct rig_table *t, char side, double g)
         float *row = t->row[i];
         t->u[i] = u;
         t->first[i + 1] = i + 1;
-        t->link[i * CTAB_LINKS + CTAB_LINK_U] = i + 1 < RIG_US;
         row[CTAB_HEIGHT] = row[CTAB_RAIL_Z] = (float)(u * tan(g));
         row[CTAB_RAIL_Y] = (float)u;
         row[CTAB_ANGLE] = (float)g;
@@ -59,9 +59,11 @@ static inline void rig_table(struct rig_table *t, char side, double g)
         row[CTAB_HERTZ_B] = (float)RIG_HERTZ_B;
         row[CTAB_HEIGHT_U] = (float)tan(g);
     }
+    t->branch[0][0] = t->branch[0][1] = 1;
     t->ctab = (struct ctab){.side = side, .yaw_method = "none", .shear_modulus = 82e9, .poisson = 0.28, .radius = 0.46,
                             .rail_position = position, .wheel_position = position, .stations = 1, .yaws = 1, .us = RIG_US, .rows = RIG_US,
-                            .station = t->station, .yaw = t->yaw, .u = t->u, .first = t->first, .row = t->row[0], .link = t->link};
+                            .station = t->station, .yaw = t->yaw, .u = t->u, .first = t->first, .row = t->row[0], .body = t->body,
+                            .cell = t->cell, .branch = t->branch[0], .branches = 2};
 }
 
 /* set: [sets] "key=value". */

@@ -24,7 +24,7 @@ static char *page_text(void)
 /* A row of the page: name, type, dims by their letters, unit, meaning. */
 static void row_of(const struct run_channel_info *c, char *row, size_t size)
 {
-    static const char *const letter[] = {"", "w", "2", "3", "b", "6", "s", "n", "3"};
+    static const char *const letter[] = {"", "w", "2", "3", "b", "6", "s", "n", "3", "f", "p"};
     char dims[32] = "";
 
     for (int d = 0; d < 4 && c->dim[d] != RUN_END; d++)

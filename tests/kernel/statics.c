@@ -34,7 +34,7 @@ static double imbalance(const struct veh *v)
     int64_t n = VEH_DOFS*v->bodies;
     double *zero = calloc((size_t)n, sizeof *zero), *f = calloc((size_t)n, sizeof *f), most = 0, all = 0;
 
-    couplings_force(v, zero, zero, f);
+    couplings_force(v, NULL, zero, zero, f);
     for (int64_t i = 0; i < v->bodies; i++) {
         f[VEH_DOFS*i + VEH_Z] += v->mass[i]*v->gravity;
         all += v->mass[i]*v->gravity;
@@ -93,6 +93,7 @@ static void test_trains(void)
 {
     static const struct { const char *path; double load; } train[] = {
         {"data/vehicles/passenger-19t.yaml", 93.2e3}, {"data/vehicles/freight-y25-22t5.yaml", 110.4e3},
+        {"data/vehicles/freight-y25-22t5-linear.yaml", 110.4e3}, {"data/vehicles/freight-y25-tare.yaml", 24.525e3},
         {"data/vehicles/wheelset.yaml", 54.55e3}};
 
     for (size_t i = 0; i < sizeof train/sizeof *train; i++) {

@@ -22,7 +22,7 @@ static void along(const struct trk *t)
     struct seat s;
 
     stations(-0.6, 0.02, x);
-    if (!ok(stiffness_along(t, STATIONS, x, k[0]) == NULL, "stiffness at 61 stations of two bays"))
+    if (!ok(stiffness_along(t, 0, STATIONS, x, k[0]) == NULL, "stiffness at 61 stations of two bays"))
         return;
     for (int i = 0; i < STATIONS; i++) {
         sides = fmax(sides, fabs(k[i][STIFFNESS_LEFT] / k[i][STIFFNESS_RIGHT] - 1));

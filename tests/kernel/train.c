@@ -84,6 +84,67 @@ static void rigid_motion(double s)
     tear_down(&f);
 }
 
+/* The train as one rigid body rolled with the plane of the rails, at s, and turning with it: forces as at rest but for the parts of the
+ * weights.  Cant rises from 10 m to 40 m; the coach lies across that or beyond. */
+static void rolled(double s)
+{
+    static const double cant_x[2] = {10, 40}, cant[2] = {0, 0.15};
+    struct fixture f;
+    double v = 22, rest_force[42], g;
+
+    set_up(&f, v);
+    struct train *t = &f.train;
+    alignment_raise(&f.alignment, 2, cant_x, cant, 1.5);
+    f.alignment.n = 0;
+    g = f.vehicle.gravity;
+    train_locate(t, &f.alignment, -100);
+    train_accelerate(t, f.none);
+    memcpy(rest_force, t->f, sizeof rest_force);
+    train_locate(t, &f.alignment, s);
+    struct alignment_point p = alignment_at(&f.alignment, s + t->middle);
+    for (int64_t i = 0; i < f.vehicle.bodies; i++) {
+        double angle = t->line[i].cant, weight = f.vehicle.mass[i] * g;
+        t->q[6 * i + VEH_Y] = -p.cant * f.vehicle.cg[3 * i + 2];
+        t->q[6 * i + VEH_ROLL] = p.cant;
+        t->v[6 * i + VEH_Y] = -p.twist * v * f.vehicle.cg[3 * i + 2];
+        t->v[6 * i + VEH_ROLL] = p.twist * v;
+        rest_force[6 * i + VEH_Y] += weight * sin(angle);
+        rest_force[6 * i + VEH_Z] += weight * (cos(angle) - 1);
+    }
+    train_accelerate(t, f.none);
+    for (int64_t i = 0; i < f.vehicle.wheelsets; i++) /* what rolling does to a spinning wheelset is not the couplings' */
+        t->f[6 * f.vehicle.wheelset[i] + VEH_YAW] +=
+            f.vehicle.inertia[3 * f.vehicle.wheelset[i] + 1] * -v / f.vehicle.radius[i] * p.twist * v;
+    printf("# cant %.4f rad, twist %.4f rad/m, largest force %.1e N\n", p.cant, p.twist, largest(t->f, rest_force, 42));
+    near(largest(t->f, rest_force, 42), 0, 1e-6, "a train stiff on the plane of the rails feels no coupling");
+    tear_down(&f);
+}
+
+/* At tan(cant) = v^2 curvature/g accelerometers feel nothing sideways and g/cos(cant) downwards. */
+static void equilibrium(void)
+{
+    static const double at[1] = {-1000};
+    struct fixture f;
+    double v = 22, R = 760, g = 9.81, side = 0, down = 0;
+    const double cant[1] = {1.5 * sin(atan(v * v / (R * g)))};
+
+    set_up(&f, v);
+    struct train *t = &f.train;
+    alignment_raise(&f.alignment, 1, at, cant, 1.5);
+    train_locate(t, &f.alignment, 30);
+    for (int64_t i = 0; i < f.vehicle.bodies; i++) {
+        double a[6];
+        t->a[6 * i + VEH_Y] = v * v / R; /* of the frame; against it the body does not move */
+        t->a[6 * i + VEH_Z] = 0;
+        train_felt(t, i, a);
+        side = fmax(side, fabs(a[VEH_Y]));
+        down = fmax(down, fabs(g - a[VEH_Z] - g / cos(t->line[i].cant)));
+    }
+    near(side, 0, 1e-14, "at the equilibrium cant nothing is felt sideways");
+    near(down, 0, 1e-14, "and g/cos(cant) downwards");
+    tear_down(&f);
+}
+
 /* Bodies that follow the centre line have no displacement in their own frames. */
 static void frames(void)
 {
@@ -219,6 +280,10 @@ int main(void)
     rigid_motion(30);
     rigid_motion(15);
     rigid_motion(200);
+    rolled(30);
+    rolled(25);
+    rolled(200);
+    equilibrium();
     frames();
     momentum();
     gyroscope();

@@ -5,6 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "tests/kernel/straight.h"
 #include "tests/kernel/table1.h"
 #include "tests/kernel/tap.h"
 
@@ -45,6 +46,8 @@ static void round_trip(const struct trk *t)
     ok(memcmp(back.Ai, t->Ai, (size_t)entries * sizeof *t->Ai) == 0 && memcmp(back.Kx, t->Kx, (size_t)entries * sizeof *t->Kx) == 0 &&
            memcmp(back.Cx, t->Cx, (size_t)entries * sizeof *t->Cx) == 0 && memcmp(back.Mx, t->Mx, (size_t)entries * sizeof *t->Mx) == 0,
        "the same matrices");
+    ok(trk_is_spatial(&back) == trk_is_spatial(t) && back.lateral_knots == t->lateral_knots && back.check_nodes == t->check_nodes,
+       "as many directions and nodes of a check rail");
     ok(back.rail_spacing == t->rail_spacing && memcmp(back.pad_k, t->pad_k, 2 * (size_t)t->sleepers * sizeof *t->pad_k) == 0,
        "and the same pads");
     trk_free(&back);
@@ -127,6 +130,44 @@ static void refusals(struct trk *t)
     TAMPER(Mx, entries, 0, 0, "M.x", "no mass on the diagonal");
 }
 
+static void spatial_refusals(struct trk *t)
+{
+    const int64_t n = t->nodes, s = t->sleepers, q = t->check_nodes;
+    struct trk one = *t, none = *t;
+
+    one.check_nodes = 1;
+    refused(&one, "check.node", "a check rail of one node");
+    none.lateral_knots = 0;
+    refused(&none, "bending.lateral.x", "a rail without lateral stiffness");
+    TAMPER(lateral_bending, 2 * t->lateral_knots, 1, 0, "bending.lateral", "a rail that does not resist bending sideways");
+    TAMPER(rail_torsion, 2 * (n - 1), 3, 0, "rail.torsion", "a rail that twists at will");
+    TAMPER(rail_yaw, 2 * n, 3, -1, "rail.yaw", "a negative yaw inertia");
+    TAMPER(rail_twist, 2 * n, 3, -1, "rail.twist", "a negative inertia in twist");
+    TAMPER(rail_polar, 2 * (n - 1), 3, -1, "rail.polar", "a negative inertia along it");
+    TAMPER(sleeper_yaw, s, 3, 0, "sleeper.yaw", "a sleeper without yaw inertia");
+    TAMPER(pad_lateral_k, 2 * s, 3, -1, "pad.lateral.k", "a railpad that pushes aside");
+    TAMPER(pad_width, 1, 0, -0.1, "pad.width", "a railpad of negative width");
+    TAMPER(ballast_lateral_k, s, 3, -1, "ballast.lateral.k", "ballast that pushes aside");
+    TAMPER(ballast_yaw_c, s, 3, -1, "ballast.yaw.c", "ballast that drives yaw");
+    TAMPER(check_bending, 2, 1, 0, "check.bending", "a check rail that does not resist bending sideways");
+    TAMPER(check_density, 1, 0, 0, "check.density", "a check rail without mass");
+    TAMPER_INTEGER(check_node, q, 2, t->check_node[1], "check.node", "a node of the check rail twice");
+    TAMPER_INTEGER(check_node, q, q - 1, n, "check.node", "one beyond the rail");
+    TAMPER_INTEGER(check_dof, q, 2, 0, "check.dof", "a degree of freedom used twice");
+}
+
+static void spatial(void)
+{
+    struct trk t;
+    const char *why = straight(&t, NULL, 0);
+
+    if (ok(why == NULL, "a spatial track builds%s%s", why ? ": " : "", why ? why : "")) {
+        round_trip(&t);
+        spatial_refusals(&t);
+    }
+    trk_free(&t);
+}
+
 int main(void)
 {
     struct trk t;
@@ -139,5 +180,6 @@ int main(void)
     ok(trk_room(&t, -1, 8) == NULL && trk_room(&t, INT64_MAX, 8) == NULL, "impossible room is refused");
     trk_free(&t);
     trk_free(&t);
+    spatial();
     return done();
 }

@@ -120,6 +120,16 @@ static void what_moves(void)
     in.dip = 3e-5;
     in.dip_slope = 1e-3;
     near(force(&law, &in, &memory).Q, N - k * 3e-5 - c * 1e-3 * v, 1e-6, "a dip, and its slope");
+    in = over_plane(&t, 0.3, 1e-4);
+    in.line = 1e-3;
+    in.line_slope = 2e-3;
+    near(force(&law, &in, &memory).Q, cos(0.3) * cos(0.3) * (N + k * 1e-3 * tan(0.3) + c * 2e-3 * v * tan(0.3)), 1e-3,
+         "a rail out of line, and the slope of its line");
+    in = over_plane(&t, 0, 1e-4);
+    for (int i = 0; i < RIG_US; i++)
+        t.row[i][CTAB_HEIGHT_YAW] = 0.02f;
+    in.vyaw = 0.1;
+    near(force(&law, &in, &memory).Q, N - c * 0.02 * 0.1, 1e-3, "a height that grows with yaw, while the wheelset turns");
     in = over_plane(&t, 0, 1e-4);
     in.roll = 1e-5;
     in.vroll = 1e-2;
@@ -317,7 +327,7 @@ static void shares(void)
     t.first[2] = 1;
     t.first[3] = 2;
     t.ctab.rows = 2;
-    memset(t.link, 0, sizeof t.link);
+    t.branch[0][0] = 0;
     in.y = 4e-3;
     struct wheel_output o = force(&law, &in, &memory);
     near(o.Q / whole, 0.2, 1e-12, "a contact that fades out carries its share");

@@ -5,100 +5,9 @@
 #include <math.h>
 
 #include "tools/contact/clones.h"
+#include "tools/profile/hermite.h"
 
 #define FACE 5.0              /* |dz/dy| of a face: where a wheel ends in one, the back of its flange, it counts; a rail goes on below one */
-
-struct hermite { double z, slope; };
-
-/* Cubic with values z0, z1 and slopes d0, d1 (per unit of y) at the ends of a cell of width h, at t of 0..1. */
-static struct hermite hermite_at(double z0, double d0, double z1, double d1, double h, double t)
-{
-    double s = 1 - t, dz = (z1 - z0) / h;
-
-    return (struct hermite){
-        .z = z0 * s * s * (1 + 2 * t) + z1 * t * t * (1 + 2 * s) + h * t * s * (d0 * s - d1 * t),
-        .slope = 6 * t * s * dz + d0 * s * (1 - 3 * t) + d1 * t * (1 - 3 * s),
-    };
-}
-
-static void gap_range(const double *y, int64_t n, double step, int64_t *first, int64_t *last)
-{
-    double lo = HUGE_VAL, hi = -HUGE_VAL;
-
-    for (int64_t i = 0; i < n; i++) {                             /* comparisons with NaN are false */
-        lo = y[i] < lo ? y[i] : lo;
-        hi = y[i] > hi ? y[i] : hi;
-    }
-    *first = lo <= hi ? (int64_t)ceil(lo / step) : 0;
-    *last = lo <= hi ? (int64_t)floor(hi / step) : -1;
-}
-
-int64_t gap_nodes(const double *y, int64_t n, double step)
-{
-    int64_t first, last;
-
-    gap_range(y, n, step, &first, &last);
-    return last >= first ? last - first + 1 : 0;
-}
-
-/* The piece from point i to i + 1 onto the nodes it covers and lies lowest on. */
-static void tabulate_piece(const struct gap_line *l, int64_t i, double step, struct gap_curve *c)
-{
-    double h = l->y[i + 1] - l->y[i], along_y = (l->along[i + 1] - l->along[i]) / h;
-    double bend_y = (l->bend[i + 1] - l->bend[i]) / h;
-    int64_t end = (int64_t)floor(l->y[i + 1] / step);
-
-    for (int64_t j = (int64_t)ceil(l->y[i] / step); j <= end; j++) {
-        double d = (double)j * step - l->y[i], t = d / h;
-        struct hermite p = hermite_at(l->z[i], l->slope[i], l->z[i + 1], l->slope[i + 1], h, t);
-        int64_t at = j - c->first;
-        if (!isnan(c->slope[at]) && p.z <= c->z[at])
-            continue;
-        c->z[at] = p.z;
-        c->slope[at] = p.slope;
-        c->k[at] = l->k[i] + t * (l->k[i + 1] - l->k[i]);
-        c->along[at] = l->along[i] + d * along_y;
-        c->along_y[at] = along_y;
-        c->bend[at] = l->bend[i] + d * bend_y;
-        c->bend_y[at] = bend_y;
-        c->at[at] = 0;
-    }
-}
-
-void gap_tabulate(const struct gap_line *line, double step, struct gap_curve *c)
-{
-    int64_t last;
-
-    gap_range(line->y, line->n, step, &c->first, &last);
-    c->n = last >= c->first ? last - c->first + 1 : 0;
-    for (int64_t j = 0; j < c->n; j++)
-        c->slope[j] = (double)NAN;
-    for (int64_t i = 0; i + 1 < line->n; i++)
-        if (line->y[i + 1] > line->y[i])
-            tabulate_piece(line, i, step, c);
-    c->level = 1;
-    for (int64_t i = 0; i < line->n; i++)
-        c->level &= line->along[i] == 0 && line->bend[i] == 0;
-}
-
-void gap_join(struct gap_curve *c, const struct gap_curve *from, double x, double b)
-{
-    for (int64_t i = 0, j = c->first - from->first; i < c->n; i++, j++) {
-        if (j < 0 || j >= from->n || isnan(from->slope[j]))
-            continue;
-        if (!isnan(c->slope[i]) && from->z[j] + 0.5 * b * x * x >= c->z[i] + 0.5 * b * c->at[i] * c->at[i])
-            continue;
-        c->z[i] = from->z[j];
-        c->slope[i] = from->slope[j];
-        c->k[i] = from->k[j];
-        c->along[i] = from->along[j];
-        c->along_y[i] = from->along_y[j];
-        c->bend[i] = from->bend[j];
-        c->bend_y[i] = from->bend_y[j];
-        c->at[i] = x;
-        c->level = 0;
-    }
-}
 
 /* Where a cubic with end values g0, g1 and end slopes d0 < 0 <= d1 (all per cell) is least, in (0, 1]. */
 static double least(double g0, double g1, double d0, double d1)
@@ -245,6 +154,24 @@ static struct gap_minimum minimum_at_end(const struct overlap *o, const double *
     return m;
 }
 
+/* Of the slopes d[n + 1] of n cells, the first cell from `from` on in which they change from falling to rising; n where none.  Cells go by
+ * blocks, most of which hold none and are passed in lanes. */
+CLONES static int64_t next_rise(const double *d, int64_t from, int64_t n)
+{
+    enum { BLOCK = 32 };
+
+    for (; from + BLOCK <= n; from += BLOCK) {
+        int64_t rises = 0;
+        for (int64_t i = from; i < from + BLOCK; i++)
+            rises += (d[i] < 0) & (d[i + 1] >= 0);
+        if (rises)
+            break;
+    }
+    while (from < n && !(d[from] < 0 && d[from + 1] >= 0))
+        from++;
+    return from;
+}
+
 int gap_minima(const struct gap_search *s, const struct gap_curve *rail, const struct gap_curve *wheel, int64_t shift, int ends,
                struct gap_minimum *m, int most)
 {
@@ -257,6 +184,7 @@ int gap_minima(const struct gap_search *s, const struct gap_curve *rail, const s
     o.hi = rail->n - 1 < wheel->n - 1 - o.off ? rail->n - 1 : wheel->n - 1 - o.off;
     if (o.lo >= o.hi)
         return 0;
+    const int64_t cells = o.hi - o.lo;
     gap_slopes(&o, d);
     if (ends & GAP_LEFT_END && o.lo == 0 && d[0] > 0 && fabs(rail->slope[0]) < FACE) {
         one = minimum_at_end(&o, d, 0, s->step);
@@ -266,14 +194,14 @@ int gap_minima(const struct gap_search *s, const struct gap_curve *rail, const s
         one = minimum_at(&o, d, o.lo, s->step, 0);
         n = keep(m, n, most, s->apart, &one);
     }
-    for (int64_t i = o.lo; i < o.hi; i++, d++)
-        if (d[0] < 0 && d[1] >= 0) {
-            double t = least(gap_height(&o, i), gap_height(&o, i + 1), s->step * d[0], s->step * d[1]);
-            one = minimum_at(&o, d, i, s->step, t);
-            n = keep(m, n, most, s->apart, &one);
-        }
-    if (ends & GAP_RIGHT_END && o.hi == rail->n - 1 && d[0] < 0 && fabs(rail->slope[o.hi]) < FACE) {
-        one = minimum_at_end(&o, d, o.hi, s->step);
+    for (int64_t k = next_rise(d, 0, cells); k < cells; k = next_rise(d, k + 1, cells)) {
+        int64_t i = o.lo + k;
+        double t = least(gap_height(&o, i), gap_height(&o, i + 1), s->step * d[k], s->step * d[k + 1]);
+        one = minimum_at(&o, d + k, i, s->step, t);
+        n = keep(m, n, most, s->apart, &one);
+    }
+    if (ends & GAP_RIGHT_END && o.hi == rail->n - 1 && d[cells] < 0 && fabs(rail->slope[o.hi]) < FACE) {
+        one = minimum_at_end(&o, d + cells, o.hi, s->step);
         n = keep(m, n, most, s->apart, &one);
     }
     return n;

@@ -26,21 +26,22 @@ static double elliptic(double k, double *s)
     return M_PI_2 / a;
 }
 
-/* Axis ratio k with (1 - s)/(k^2 s) = ratio >= 1: secant in logarithms, where the function is nearly straight. */
+/* Axis ratio k with (1 - s)/(k^2 s) = ratio >= 1: Newton's method in logarithms, where the function f is nearly straight.  It falls from k = 1
+ * as -3/2 log k, and as -2 log k far from there, which the first guess fits between.  With q = E/K = 1 - e^2 s,
+ *
+ *     k ds/dk = (k^2 - q^2)/e^4,    k df/dk = (q^2 - k^2)/(e^4 s (1 - s)) - 2,    (q^2 - k^2)/e^4 = s^2 - (2 s - 1)/e^2. */
 static double axis_ratio(double ratio, double *K, double *s)
 {
-    double want = log(ratio), x = -0.636 * want, slope = -1 / 0.636, last_x = 0, last_f = 0;
+    double want = log(ratio), x = -want * (0.5 + 1 / (6 * sqrt(1 + 0.0335 * want * want)));
 
     for (int i = 0; ; i++) {
-        *K = elliptic(exp(x), s);
-        double f = log((1 - *s) / *s) - 2 * x;
-        if (fabs(f - want) < 1e-13 * (1 + want) || i == 20)
-            return exp(x);
-        if (i > 0 && x != last_x)
-            slope = (f - last_f) / (x - last_x);
-        last_x = x;
-        last_f = f;
-        x -= (f - want) / slope;
+        double k = exp(x), e2 = (1 - k) * (1 + k);
+        *K = elliptic(k, s);
+        double off = log((1 - *s) / *s) - 2 * x - want;
+        if (fabs(off) < 1e-13 * (1 + want) || i == 20)
+            return k;
+        double near = e2 > 1e-6 ? (2 * *s - 1) / e2 : 0.125;
+        x -= off / ((*s * *s - near) / (*s * (1 - *s)) - 2);
         x = x > 0 ? 0 : x;
     }
 }

@@ -23,8 +23,9 @@ static double height_off(const float *a, const float *b, enum ctab_link axis, do
     return fabs((double)b[CTAB_HEIGHT] - (double)a[CTAB_HEIGHT] - rise);
 }
 
-/* Rows from[n][CTAB_N] of a node, their links link[n][CTAB_LINKS], rows to[m] of the next one; stations are `length` (m) apart. */
-static void link_nodes(const float *from, uint8_t *link, int n, const float *to, int m, enum ctab_link axis, double length)
+/* The n rows from `from` on of a node, their links link[n][CTAB_LINKS], the m rows from `to` on of the next one; stations are `length` (m)
+ * apart. */
+static void link_nodes(const struct ctab *t, int64_t from, uint8_t *link, int n, int64_t to, int m, enum ctab_link axis, double length)
 {
     unsigned taken = 0;
 
@@ -33,9 +34,9 @@ static void link_nodes(const float *from, uint8_t *link, int n, const float *to,
         int i_best = -1, j_best = -1;
         for (int i = 0; i < n; i++)
             for (int j = 0; j < m && !link[i * CTAB_LINKS + axis]; j++) {
-                const float *a = from + i * CTAB_N, *b = to + j * CTAB_N;
+                const float *a = t->row + (from + i) * CTAB_N, *b = t->row + (to + j) * CTAB_N;
                 double aside = fabs((double)a[CTAB_WHEEL_Y] - (double)b[CTAB_WHEEL_Y]), off = height_off(a, b, axis, length);
-                int may = a[CTAB_BODY] == b[CTAB_BODY] && !(taken >> j & 1) && (axis != CTAB_LINK_STATION || off < OFF_MOST);
+                int may = t->body[from + i] == t->body[to + j] && !(taken >> j & 1) && (axis != CTAB_LINK_STATION || off < OFF_MOST);
                 double far = aside + off;
                 if (may && aside < reach[axis] && far < best) {
                     best = far;
@@ -57,15 +58,14 @@ void link_rows(const struct ctab *t, uint8_t *link)
             for (int64_t iu = 0; iu < t->us; iu++) {
                 double length = is + 1 < t->stations ? t->station[is + 1] - t->station[is] : 0;
                 const int64_t next[CTAB_LINKS][3] = {{is, iy, iu + 1}, {is, iy + 1, iu}, {is + 1, iy, iu}};
-                int n, m;
-                const float *from = ctab_node(t, is, iy, iu, &n);
-                uint8_t *own = link + (from - t->row) / CTAB_N * CTAB_LINKS;
+                int64_t node = (is * t->yaws + iy) * t->us + iu, from = t->first[node];
+                int n = t->first[node + 1] - t->first[node];
                 for (enum ctab_link axis = 0; axis < CTAB_LINKS; axis++) {
                     const int64_t *at = next[axis];
                     if (at[0] == t->stations || at[1] == t->yaws || at[2] == t->us)
                         continue;
-                    const float *to = ctab_node(t, at[0], at[1], at[2], &m);
-                    link_nodes(from, own, n, to, m, axis, length);
+                    node = (at[0] * t->yaws + at[1]) * t->us + at[2];
+                    link_nodes(t, from, link + from * CTAB_LINKS, n, t->first[node], t->first[node + 1] - t->first[node], axis, length);
                 }
             }
 }

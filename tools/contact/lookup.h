@@ -15,11 +15,16 @@ struct contact {
     double height_s;         /* 1, by station */
     double height_yaw;       /* m/rad, by yaw, the wheelset's station held */
     double height_roll;      /* m/rad, by roll at fixed u */
-    double row[CTAB_N];      /* as the table's columns, at the query */
+    double row[CTAB_ALL];    /* as the table's columns, at the query; those of the rest by contact_complete */
+    int64_t at[CTAB_CORNERS];        /* the table's rows it is between */
+    double share[CTAB_CORNERS];      /* 1, of each of them; their sum is 1 */
 };
 
 /* Contacts at station s (m, constant beyond the table), yaw (rad, held within the table), u (m), roll (rad) into c[CONTACT_MAX], the
  * first to touch first.  Returns how many, or -1 where u is beyond the table. */
 int contact_lookup(const struct ctab *t, double s, double yaw, double u, double roll, struct contact *c);
+
+/* The columns that a time step does not need. */
+void contact_complete(const struct ctab *t, struct contact *c);
 
 #endif

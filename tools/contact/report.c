@@ -38,8 +38,9 @@ static void contact_columns(struct column c[ALL])
 }
 
 /* From CONTACT on; `first` is the height of the contact that touches first (m). */
-static void contact_row(const struct contact *c, double first, double row[ALL])
+static void contact_row(const struct ctab *t, struct contact *c, double first, double row[ALL])
 {
+    contact_complete(t, c);
     row[CONTACT] = c->weight;
     for (int i = 0; i < PRINTED; i++)
         row[CONTACT + 1 + i] = c->row[printed[i]];
@@ -75,7 +76,7 @@ const char *report_query(const struct ctab *t, double s, double yaw, double u, d
     contact_columns(column);
     out->header(column + CONTACT, ALL - CONTACT);
     for (int i = 0; i < n; i++) {
-        contact_row(&c[i], c[0].height, row);
+        contact_row(t, &c[i], c[0].height, row);
         out->row(column + CONTACT, ALL - CONTACT, row + CONTACT);
     }
     return NULL;
@@ -101,7 +102,7 @@ const char *report_path(const struct ctab *t, double from, double to, double ste
         row[STATION] = from + (double)i * step;
         if (contact_lookup(t, row[STATION], yaw, u, roll, c) < 1)
             continue;
-        contact_row(&c[0], c[0].height, row);
+        contact_row(t, &c[0], c[0].height, row);
         out->row(column + STATION, GAP - STATION, row + STATION);
     }
     return NULL;
@@ -148,11 +149,11 @@ const char *report_wheelset(const struct report_pair *p, double y, double load, 
     out->header(column, ALL);
     for (int i = WHEELSET_LEFT; i <= WHEELSET_RIGHT; i++)
         for (int k = 0; k < w.side[i].n; k++) {
-            const struct wheelset_side *one = &w.side[i];
+            struct wheelset_side *one = &w.side[i];
             row[SIDE] = i == WHEELSET_LEFT ? 'l' : 'r';
             row[U] = one->u;
             row[FORCE] = one->force[k];
-            contact_row(&one->contact[k], one->contact[0].height, row);
+            contact_row(i == WHEELSET_LEFT ? p->left : p->right, &one->contact[k], one->contact[0].height, row);
             out->row(column, ALL, row);
         }
     return NULL;

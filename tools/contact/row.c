@@ -23,7 +23,7 @@ static double row_twist(const struct locus_point *p, double fall, double yaw)
 }
 
 void row_make(const struct search_contact *c, const struct search *s, const struct ctab *t, double yaw, double u, const struct strip_law *law,
-              float row[CTAB_N])
+              float row[CTAB_ALL])
 {
     const struct gap_minimum *m = &c->at;
     struct locus_point p;
@@ -42,7 +42,7 @@ void row_make(const struct search_contact *c, const struct search *s, const stru
     if (law)
         patch_hertz(&c->pair, m, B, t->load, law, &h);
     double roll_y = both > 0 ? (t2 - wheel_k * bend * z) / both : ROLL_Y_MOST;
-    double value[CTAB_N] = {
+    double value[CTAB_ALL] = {
         [CTAB_HEIGHT] = m->gap,
         [CTAB_RAIL_Y] = m->y,
         [CTAB_RAIL_Z] = m->z,
@@ -63,11 +63,11 @@ void row_make(const struct search_contact *c, const struct search *s, const stru
         [CTAB_SHAPE] = shape,
         [CTAB_BODY] = c->body,
     };
-    for (int i = 0; i < CTAB_N; i++)
+    for (int i = 0; i < CTAB_ALL; i++)
         row[i] = (float)value[i];
 }
 
-void row_mirror(float row[CTAB_N])
+void row_mirror(float row[CTAB_ALL])
 {
     static const enum ctab_column turned[] = {
         CTAB_RAIL_Y, CTAB_WHEEL_Y, CTAB_ANGLE, CTAB_HEIGHT_U, CTAB_HEIGHT_YAW, CTAB_HEIGHT_ROLL,

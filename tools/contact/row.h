@@ -11,9 +11,9 @@
 /* Of the search s, the wheel yawed (rad) and moved right by u (m); radius, material and reference load of t.  Patches are Hertz's, or
  * those of law under that load where it is not NULL. */
 void row_make(const struct search_contact *c, const struct search *s, const struct ctab *t, double yaw, double u, const struct strip_law *law,
-              float row[CTAB_N]);
+              float row[CTAB_ALL]);
 
 /* The same contact of the other side. */
-void row_mirror(float row[CTAB_N]);
+void row_mirror(float row[CTAB_ALL]);
 
 #endif

@@ -16,7 +16,7 @@ struct spot_place {
 };
 
 struct spot {
-    float row[CTAB_N];               /* the contact as in a table */
+    float row[CTAB_ALL];               /* the contact as in a table */
     int64_t strips;                  /* in `strip` */
     struct strip strip[PATCH_STRIPS];
     struct strip_patch patch;        /* of the whole body within 20 mm */

@@ -10,6 +10,7 @@
 
 #include "formats/reason.h"
 #include "formats/room.h"
+#include "tools/contact/branch.h"
 #include "tools/contact/clearance.h"
 #include "tools/contact/link.h"
 #include "tools/contact/row.h"
@@ -56,21 +57,47 @@ static const char *axes_room(struct filling *f, const struct prof *rail, const s
     return NULL;
 }
 
+/* The arrays of rows as long as `rows`; 0 without memory. */
+static int rows_resize(struct ctab *t, int64_t rows)
+{
+    float *row = realloc(t->row_store, (size_t)rows * CTAB_N * sizeof *row);
+    if (row)
+        t->row = t->row_store = row;
+    float *rest = realloc(t->rest_store, (size_t)rows * CTAB_REST * sizeof *rest);
+    if (rest)
+        t->rest = t->rest_store = rest;
+    uint8_t *body = realloc(t->body_store, (size_t)rows);
+    if (body)
+        t->body = t->body_store = body;
+    return row && rest && body;
+}
+
 /* Room for as many rows as another yaw may take. */
 static const char *rows_room(struct filling *f)
 {
-    struct ctab *t = f->t;
-    int64_t most = t->rows + t->us * CTAB_MOST;
+    int64_t most = f->t->rows + f->t->us * CTAB_MOST;
 
     if (most <= f->room)
         return NULL;
     most += f->room;
-    float *larger = most > INT32_MAX ? NULL : realloc(t->row_store, (size_t)most * CTAB_N * sizeof *larger);
-    if (!larger)
+    if (most > INT32_MAX || !rows_resize(f->t, most))
         return REASON_MEMORY;
-    t->row = t->row_store = larger;
     f->room = most;
     return NULL;
+}
+
+/* A contact, of the wheel yawed and moved by these, as the next row. */
+static void row_add(struct filling *f, const struct search_contact *c, double yaw, double u)
+{
+    struct ctab *t = f->t;
+    float row[CTAB_ALL];
+
+    row_make(c, &f->search, t, yaw, u, f->strips ? &f->law : NULL, row);
+    if (f->search.mirror)
+        row_mirror(row);
+    memcpy(t->row_store + t->rows * CTAB_N, row, CTAB_N * sizeof *row);
+    memcpy(t->rest_store + t->rows * CTAB_REST, row + CTAB_N, CTAB_REST * sizeof *row);
+    t->body_store[t->rows++] = (uint8_t)c->body;
 }
 
 /* The contacts at all u of one station and yaw, in the order of the file. */
@@ -85,18 +112,14 @@ static const char *fill_us(struct filling *f, int64_t is, int64_t iy)
         struct search_contact c[SEARCH_MOST];
         int64_t shift = s->mirror ? t->us / 2 - iu : iu - t->us / 2;
         int n = search_contacts(s, search_yaw, shift, c);
-        for (int i = 0; i < n; i++) {
-            float *row = t->row_store + t->rows++ * CTAB_N;
-            row_make(&c[i], s, t, t->yaw[search_yaw], (double)shift * s->gap.step, f->strips ? &f->law : NULL, row);
-            if (s->mirror)
-                row_mirror(row);
-        }
+        for (int i = 0; i < n; i++)
+            row_add(f, &c[i], t->yaw[search_yaw], (double)shift * s->gap.step);
         f->first[(is * t->yaws + iy) * t->us + iu + 1] = (int32_t)t->rows;
     }
     return why;
 }
 
-/* Links; gives back the rows too many. */
+/* Links and branches; gives back the rows too many. */
 static const char *fill_end(struct filling *f)
 {
     struct ctab *t = f->t;
@@ -104,13 +127,11 @@ static const char *fill_end(struct filling *f)
 
     if (t->rows == 0)
         return "wheel and rail nowhere touch";
-    float *fitting = realloc(t->row_store, (size_t)t->rows * CTAB_N * sizeof *fitting);
-    if (!link || !fitting)
+    if (!link || !rows_resize(t, t->rows))
         return REASON_MEMORY;
-    t->row = t->row_store = fitting;
     link_rows(t, link);
     t->link = link;
-    return NULL;
+    return branch_cells(t);
 }
 
 const char *table_pair(const struct prof *wheel, const struct prof *rail)
@@ -125,6 +146,8 @@ const char *table_pair(const struct prof *wheel, const struct prof *rail)
         return reason("wheel has %lld polylines, must have one", (long long)wheel->polys);
     if (!(wheel->radius > 0))
         return reason("wheel's radius is %g m, must be positive", wheel->radius);
+    if (rail->bodies > CTAB_BODIES)
+        return reason("rail has %lld bodies, must have %d at most", (long long)rail->bodies, CTAB_BODIES);
     return NULL;
 }
 

@@ -63,7 +63,7 @@ static void words_y(const struct layout *l, const struct chart *c, int p, struct
     }
     if (a->label) {
         const struct text_style fit = fitted(t, label, a->label, b->h);
-        text_add(t, gap * l->point, b->y + b->h / 2, &fit, a->label);
+        text_add(t, l->sheet.x + gap * l->point, b->y + b->h / 2, &fit, a->label);
     }
 }
 

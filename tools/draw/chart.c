@@ -47,6 +47,8 @@ void chart_begin(struct chart *c)
 
 void chart_free(struct chart *c)
 {
+    if (c->beside)
+        chart_free(c->beside);
     while (c->store) {
         struct chart_store *next = c->store->next;
         free(c->store);
@@ -67,6 +69,19 @@ static void *room(struct chart *c, size_t size)
     s->next = c->store;
     c->store = s;
     return s->data;
+}
+
+struct chart *chart_add_beside(struct chart *c, const struct chart_area *area)
+{
+    struct chart *other = room(c, sizeof *other);
+
+    if (!other)
+        return c;
+    chart_begin(other);
+    other->area = *area;
+    other->beside = c->beside;
+    c->beside = other;
+    return other;
 }
 
 double *chart_numbers(struct chart *c, int64_t n)
@@ -163,25 +178,32 @@ void chart_add_line(struct chart *c, double x, const char *label)
     c->line_end = &line->next;
 }
 
+static const char *draw_one(const struct chart *c, struct canvas *canvas, struct text *text)
+{
+    struct layout l;
+
+    if (c->why)
+        return c->why;
+    if (c->panels == 0)
+        return "a chart without a panel";
+    layout_make(&l, c, text, canvas->width, canvas->height);
+    axes_draw(&l, c, canvas, text);
+    const char *why = curves_draw(&l, c, canvas);
+    axes_legend(&l, canvas, text);
+    notes_draw(&l, c, text);
+    return why;
+}
+
 const char *chart_draw(const struct chart *c, struct canvas *canvas)
 {
     struct text text = {0};
-    struct layout l;
-    const char *why = c->why;
+    const char *why = text_open(&text);
 
-    if (!why && c->panels == 0)
-        why = "a chart without a panel";
-    if (!why)
-        why = text_open(&text);
+    for (const struct chart *k = c; k && !why; k = k->beside)
+        why = draw_one(k, canvas, &text);
     if (!why) {
-        layout_make(&l, c, &text, canvas->width, canvas->height);
-        axes_draw(&l, c, canvas, &text);
-        why = curves_draw(&l, c, canvas);
-        axes_legend(&l, canvas, &text);
-        notes_draw(&l, c, &text);
         canvas_end(canvas);
-        const char *lost = text_paint(&text, canvas);
-        why = why ? why : lost;
+        why = text_paint(&text, canvas);
     }
     text_free(&text);
     return why;

@@ -2,7 +2,9 @@
  *
  * The caller fills it from plain arrays in SI units, which must live until it is drawn; an axis shows its numbers times a
  * factor (1e3 shows metres as millimetres).  What is added belongs to the chart and goes with chart_free.  Adding never
- * fails visibly: the first failure is kept and told by chart_draw. */
+ * fails visibly: the first failure is kept and told by chart_draw.
+ *
+ * A sheet is a chart with others beside it, each with axes of its own on its part of the picture. */
 #ifndef VX_DRAW_CHART_H
 #define VX_DRAW_CHART_H
 
@@ -67,12 +69,17 @@ struct chart_panel {
 
 enum { CHART_PANELS = 8 };
 
+struct chart_area { double x, y, w, h; };  /* fractions of the picture from its upper left corner; w = 0: all of it */
+
 struct chart {
     const char *title;                     /* NULL: none */
     struct chart_axis x;
     int equal;                             /* a metre is as long along y as along x */
     int alike;                             /* y has the same limits in all panels */
     int bare;                              /* no axes: a drawing */
+    struct chart_area area;
+    double type;                           /* size of type and lines against those of a chart; 0 is 1 */
+    struct chart *beside;                  /* the next of a sheet */
     int panels;
     struct chart_panel panel[CHART_PANELS];
     struct chart_line *line, **line_end;   /* vertical, through all panels */
@@ -86,6 +93,8 @@ struct chart {
 void chart_begin(struct chart *c);         /* the chart must stay where it is until chart_free */
 void chart_free(struct chart *c);
 
+/* Another chart on the picture of c, begun, which goes with it. */
+struct chart *chart_add_beside(struct chart *c, const struct chart_area *area);
 struct chart_panel *chart_add_panel(struct chart *c, const char *label, double factor);
 /* A solid line in the next colour. */
 struct chart_series *chart_add_series(struct chart *c, struct chart_panel *p, const char *label, int64_t n, const double *x,

@@ -10,7 +10,9 @@
 #include "tools/draw/receptance.h"
 #include "tools/draw/sections.h"
 #include "tools/draw/sequence.h"
+#include "tools/draw/shapes.h"
 #include "tools/draw/tables.h"
+#include "tools/draw/vehicle.h"
 #include "tools/draw/yaw.h"
 
 /* With the values by Hermite's polynomials where hermite is true; *quantity is that of all. */
@@ -145,6 +147,27 @@ static const char *make_chosen_modes(struct chart *c, int n, const struct figure
     return why;
 }
 
+static const char *make_vehicle(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
+{
+    struct veh v;
+    const char *why = veh_read(&v, in[0].file);
+
+    (void)n;
+    return why ? why : vehicle_chart(c, &v, o->from, o->to);
+}
+
+static const char *make_shapes(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
+{
+    struct mod m;
+    struct veh v;
+    const char *why = mod_read(&m, in[0].file);
+
+    (void)n;
+    (void)o;
+    why = why ? why : veh_read(&v, in[1].file);
+    return why ? why : shapes_chart(c, &m, &v);
+}
+
 static const char *make_rolling_radius(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
 {
     (void)n;
@@ -218,6 +241,8 @@ const struct figure figures[] = {
     {"fit", "text frf ...", "a measured receptance as dots, and receptances", make_fit, NULL},
     {"modes", "mod trk", "natural modes of a track, the first four of the file", make_modes, NULL},
     {"modes", "trk mod ...", "the first mode of each file", make_chosen_modes, NULL},
+    {"modes", "mod veh", "natural modes of a vehicle, the first twelve of the file", make_shapes, NULL},
+    {"vehicle", "veh", "a vehicle from the right, above and behind, with its couplings", make_vehicle, NULL},
     {"sections", "prof", "cross-sections along the track", make_sections, NULL},
     {"contact", "prof prof ctab", "wheel on rail and its contact points, at --station --yaw --u", make_contact, NULL},
     {"pairs", "prof prof ctab", "points of wheel and rail that touch, over all displacements", make_pairs, NULL},
@@ -307,8 +332,8 @@ const char *figure_make(const struct figure *f, struct chart *c, int n, const st
 {
     const char *why = f->runs ? make_runs(f->runs, c, n, in, o) : f->make(c, n, in, o);
 
-    /* of sections and a sequence the window is along the track, not along x */
-    if (why || f->make == make_sections || f->make == make_sequence)
+    /* of sections and a sequence the window is along the track, not along x; a vehicle has it set or none */
+    if (why || f->make == make_sections || f->make == make_sequence || f->make == make_vehicle || f->make == make_shapes)
         return why;
     return set_window(c, o->from, o->to);
 }

@@ -118,11 +118,12 @@ static double strip(const struct chart *c, double point)
     return 0;
 }
 
-/* Boxes for a left margin of `left` px. */
-static void set_boxes(struct layout *l, const struct chart *c, const struct text *t, double left, int width, int height)
+/* Boxes from `left` px on, within the sheet. */
+static void set_boxes(struct layout *l, const struct chart *c, const struct text *t, double left)
 {
-    double pt = l->point, right = width - (c->bare ? edge : end) * pt, top = edge * pt;
-    double bottom = height - (c->bare ? edge * pt : (edge + 2 * gap) * pt + text_height((LAYOUT_LABEL + LAYOUT_NUMBER) * pt));
+    const struct box *sheet = &l->sheet;
+    double pt = l->point, right = sheet->x + sheet->w - (c->bare ? edge : end) * pt, top = sheet->y + edge * pt;
+    double bottom = sheet->y + sheet->h - (c->bare ? edge * pt : (edge + 2 * gap) * pt + text_height((LAYOUT_LABEL + LAYOUT_NUMBER) * pt));
     double head[CHART_PANELS] = {0}, shares = 0;
     int first[CHART_PANELS + 1] = {0};
 
@@ -163,14 +164,20 @@ static double margin(const struct layout *l, const struct chart *c, const struct
 
 void layout_make(struct layout *l, const struct chart *c, const struct text *t, int width, int height)
 {
-    *l = (struct layout){.point = width / (16 / 2.54 * 72)};
-    double left = 50 * l->point;
+    const struct chart_area *a = &c->area;
+
+    *l = (struct layout){.point = width / (16 / 2.54 * 72), .sheet = {0, 0, width, height}};
+    if (a->w > 0)
+        l->sheet = (struct box){a->x * width, a->y * height, a->w * width, a->h * height};
+    if (c->type > 0)
+        l->point *= c->type;
+    double left = l->sheet.x + 50 * l->point;
     for (int pass = 0; pass < 2; pass++) {
-        set_boxes(l, c, t, left, width, height);
+        set_boxes(l, c, t, left);
         scale_panels(l, c);
-        left = margin(l, c, t);
+        left = l->sheet.x + margin(l, c, t);
     }
-    set_boxes(l, c, t, left, width, height);
+    set_boxes(l, c, t, left);
     scale_panels(l, c);
 }
 

@@ -27,6 +27,7 @@ struct layout_entry {
 
 struct layout {
     double point;                          /* px per pt */
+    struct box sheet;                      /* of this chart: the picture, or its part of it */
     double title, words;                   /* px, base lines of the title and of the words of vertical lines */
     struct scale x, y[CHART_PANELS];       /* as shown: SI times factor */
     struct box box[CHART_PANELS];

@@ -5,9 +5,14 @@
 
 enum { PIECES = 8 };       /* of the line between two nodes */
 
-/* Stations and deflections of a rail, `behind` in a shape, over the largest: between nodes by Hermite's polynomials of deflection and
- * pitch t = -dw/dx; a moving mass is one node.  x, w [PIECES (nodes - 1) + 1] */
-static void bend(const struct trk *t, const double *shape, int behind, double largest, double *x, double *w)
+/* A direction of motion: where its displacement stands in a rail and a sleeper, and the slope of a rail over the turn that follows it. */
+struct direction { int64_t rail, sleeper; double slope; };
+
+static const struct direction DOWN = {TRK_W, TRK_Z, -1}, SIDEWAYS = {TRK_Y, TRK_SLEEPER_Y, 1};
+
+/* Stations and displacements of a rail, in a shape `behind` w of the left one, over the largest: between nodes by Hermite's polynomials of
+ * displacement and turn; a moving mass is one node.  x, w [PIECES (nodes - 1) + 1] */
+static void bend(const struct trk *t, const double *shape, int64_t behind, double slope, double largest, double *x, double *w)
 {
     x[0] = t->x[0];
     w[0] = shape[t->node_dof[0] + behind] / largest;
@@ -16,30 +21,33 @@ static void bend(const struct trk *t, const double *shape, int behind, double la
         const double *one = &shape[t->node_dof[k] + behind], *two = &shape[t->node_dof[k + 1] + behind];
         const double L = t->x[k + 1] - t->x[k], r = (double)(i - PIECES * k) / PIECES, s = 1 - r;
         x[i] = t->x[k] + r * L;
-        w[i] = (s * s * (1 + 2 * r) * one[0] - r * s * s * L * one[1] + r * r * (1 + 2 * s) * two[0] + r * r * s * L * two[1]) / largest;
+        w[i] = (s * s * (1 + 2 * r) * one[0] + slope * r * s * s * L * one[1] + r * r * (1 + 2 * s) * two[0] - slope * r * r * s * L * two[1]) /
+               largest;
     }
 }
 
-static void add_rail(struct chart *c, struct chart_panel *p, const struct trk *t, const double *shape, int rail, double largest)
+static void add_rail(struct chart *c, struct chart_panel *p, const struct trk *t, const double *shape, int rail, const struct direction *d,
+                     double largest)
 {
     const int64_t n = PIECES * (t->nodes - 1) + 1;
     double *x = chart_numbers(c, n), *w = chart_numbers(c, n);
 
     if (!x || !w)
         return;
-    bend(t, shape, 2 * rail, largest, x, w);
+    bend(t, shape, t->rail_dofs * rail + d->rail, d->slope, largest, x, w);
     struct chart_series *s = chart_add_series(c, p, rail == TRK_LEFT ? "left rail" : "right rail", n, x, w);
     s->dash = rail == TRK_LEFT ? CANVAS_SOLID : CANVAS_DASHED;
     if (n == 1)
         s->mark = CANVAS_DISC;
 }
 
-static void add_sleepers(struct chart *c, struct chart_panel *p, const struct trk *t, const double *shape, double largest)
+static void add_sleepers(struct chart *c, struct chart_panel *p, const struct trk *t, const double *shape, const struct direction *d,
+                         double largest)
 {
     double *z = chart_numbers(c, t->sleepers);
 
     for (int64_t k = 0; z && k < t->sleepers; k++)
-        z[k] = shape[t->sleeper_dof[k]] / largest;
+        z[k] = shape[t->sleeper_dof[k] + d->sleeper] / largest;
     if (!z)
         return;
     struct chart_series *s = chart_add_series(c, p, "sleepers", t->sleepers, t->sleeper_x, z);
@@ -48,31 +56,35 @@ static void add_sleepers(struct chart *c, struct chart_panel *p, const struct tr
     s->size = 3;
 }
 
-/* The deflection of rails and sleepers largest in magnitude, with its sign. */
-static double largest_of(const struct trk *t, const double *shape)
+/* The displacement of rails and sleepers largest in magnitude, with its sign. */
+static double largest_of(const struct trk *t, const double *shape, const struct direction *d)
 {
     double largest = 0;
 
     for (int64_t k = 0; k < t->nodes; k++)
         for (int rail = 0; rail < TRK_RAILS; rail++)
-            if (fabs(shape[t->node_dof[k] + 2 * rail]) > fabs(largest))
-                largest = shape[t->node_dof[k] + 2 * rail];
+            if (fabs(shape[trk_rail_dof(t, rail, k) + d->rail]) > fabs(largest))
+                largest = shape[trk_rail_dof(t, rail, k) + d->rail];
     for (int64_t k = 0; k < t->sleepers; k++)
-        if (fabs(shape[t->sleeper_dof[k]]) > fabs(largest))
-            largest = shape[t->sleeper_dof[k]];
-    return largest == 0 ? 1 : largest;
+        if (fabs(shape[t->sleeper_dof[k] + d->sleeper]) > fabs(largest))
+            largest = shape[t->sleeper_dof[k] + d->sleeper];
+    return largest;
 }
 
+/* A spatial track is shown from the side or, where it moves more sideways, from above. */
 static void add_mode(struct chart *c, const struct mod *m, const struct trk *t, int64_t mode)
 {
-    const double *shape = m->shape + mode * m->dofs;
-    const double largest = largest_of(t, shape);
-    struct chart_panel *p = chart_add_panel(c, chart_words(c, "%.2f Hz", m->frequency[mode]), 1);
+    const double *shape = m->shape + mode * m->dofs, down = largest_of(t, shape, &DOWN);
+    const double aside = trk_is_spatial(t) ? largest_of(t, shape, &SIDEWAYS) : 0;
+    const struct direction *d = fabs(aside) > fabs(down) ? &SIDEWAYS : &DOWN;
+    const double most = d == &DOWN ? down : aside, largest = most == 0 ? 1 : most;
+    const char *which = !trk_is_spatial(t) ? "" : d == &DOWN ? ", z" : ", y";
+    struct chart_panel *p = chart_add_panel(c, chart_words(c, "%.2f Hz%s", m->frequency[mode], which), 1);
 
     p->y.down = 1;
-    add_rail(c, p, t, shape, TRK_LEFT, largest);
-    add_rail(c, p, t, shape, TRK_RIGHT, largest);
-    add_sleepers(c, p, t, shape, largest);
+    add_rail(c, p, t, shape, TRK_LEFT, d, largest);
+    add_rail(c, p, t, shape, TRK_RIGHT, d, largest);
+    add_sleepers(c, p, t, shape, d, largest);
 }
 
 void modes_begin(struct chart *c, const struct trk *t)

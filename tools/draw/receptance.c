@@ -69,17 +69,17 @@ static const char *rail_words(const char *on)
     return !strcmp(on, "both") ? "both rails" : !strcmp(on, "left") ? "left rail" : !strcmp(on, "right") ? "right rail" : "sleeper";
 }
 
-/* "both rails loaded, above a sleeper", "left rail at 1.20 m loaded, motion of right rail at 1.80 m" */
+/* "both rails loaded, above a sleeper", "left rail loaded at 1.20 m, motion of right rail at 1.80 m"; what is sideways says so. */
 static const char *label_of(struct chart *c, const struct frf *r)
 {
     const struct frf_place *f = &r->force, *m = &r->motion;
-    const char *rails = rail_words(f->on);
+    const char *rails = rail_words(f->on), *force = f->lateral ? " sideways" : "", *motion = m->lateral ? " sideways" : "";
 
-    if (f->x == m->x && (!strcmp(f->on, m->on) || !strcmp(f->on, "both")) && strcmp(f->at, "station")) {
+    if (f->x == m->x && f->lateral == m->lateral && (!strcmp(f->on, m->on) || !strcmp(f->on, "both")) && strcmp(f->at, "station")) {
         const char *where = !strcmp(f->at, "midspan") ? ", between sleepers" : strcmp(f->on, "sleeper") ? ", above a sleeper" : "";
-        return chart_words(c, "%s loaded%s", rails, where);
+        return chart_words(c, "%s loaded%s%s", rails, force, where);
     }
-    return chart_words(c, "%s loaded at %.2f m, motion of %s at %.2f m", rails, f->x, rail_words(m->on), m->x);
+    return chart_words(c, "%s loaded%s at %.2f m, motion%s of %s at %.2f m", rails, force, f->x, motion, rail_words(m->on), m->x);
 }
 
 static const struct chart_series *add_curve(struct chart *c, const struct frf *r, const double *h, const char *label, int hermite)
@@ -102,6 +102,18 @@ static const struct chart_series *add_curve(struct chart *c, const struct frf *r
     return s;
 }
 
+/* Below the phase, in the panel that the first of them opens. */
+static void add_coherence(struct chart *c, const struct frf *r, unsigned colour)
+{
+    if (c->panels < 3) {
+        struct chart_panel *p = chart_add_panel(c, "coherence", 1);
+        p->y.lo = 0;
+        p->y.hi = 1.05;
+        p->share = 0.6;
+    }
+    chart_add_series(c, &c->panel[2], NULL, r->n, r->frequency, r->coherence)->colour = colour;
+}
+
 const char *receptance_add(struct chart *c, const struct frf *r, const char *label)
 {
     int64_t peak[PEAKS];
@@ -112,6 +124,8 @@ const char *receptance_add(struct chart *c, const struct frf *r, const char *lab
         double at = r->frequency[peak[k]];
         chart_add_note(c, &c->panel[0], at, s->y[peak[k]], chart_words(c, "%.0f Hz", at))->colour = s->colour;
     }
+    if (s && r->coherences == r->n && r->n > 0)
+        add_coherence(c, r, s->colour);
     if (r->hermites == r->n && r->n > 0)
         add_curve(c, r, r->hermite, "by Hermite interpolation", 1);
     return c->why;

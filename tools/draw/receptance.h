@@ -1,4 +1,5 @@
-/* Figure of receptances: magnitude, both axes logarithmic, with its peaks named, and phase below. */
+/* Figure of receptances: magnitude, both axes logarithmic, with its peaks named, phase below, and coherence where there is
+ * one. */
 #ifndef VX_DRAW_RECEPTANCE_H
 #define VX_DRAW_RECEPTANCE_H
 

@@ -1,6 +1,7 @@
 #include "tools/integrate/alignment.h"
 #include "formats/reason.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 /* From the beginning of piece i: d further on. */
@@ -39,11 +40,38 @@ void alignment_free(struct alignment *a)
     *a = (struct alignment){0};
 }
 
+void alignment_raise(struct alignment *a, int64_t n, const double *x, const double *cant, double base)
+{
+    a->cants = n;
+    a->cant_x = x;
+    a->cant = cant;
+    a->base = base;
+}
+
+/* sin(angle) = cant/base, and its derivative along the track. */
+static void roll(const struct alignment *a, double s, double *angle, double *twist)
+{
+    int64_t i = a->cants - 1;
+
+    while (i >= 0 && s < a->cant_x[i])
+        i--;
+    const int64_t k = i < 0 ? 0 : i;
+    const int inside = i >= 0 && i + 1 < a->cants;
+    const double slope = inside ? (a->cant[i + 1] - a->cant[i]) / (a->cant_x[i + 1] - a->cant_x[i]) : 0;
+    *angle = asin((a->cant[k] + slope * (s - a->cant_x[k])) / a->base);
+    *twist = slope / (a->base * cos(*angle));
+}
+
 struct alignment_point alignment_at(const struct alignment *a, double s)
 {
+    struct alignment_point p = {0};
     int64_t i = a->n - 1;
 
     while (i >= 0 && s < a->x[i])
         i--;
-    return i < 0 ? (struct alignment_point){0} : advance(a, i, s - a->x[i]);
+    if (i >= 0)
+        p = advance(a, i, s - a->x[i]);
+    if (a->cants > 0)
+        roll(a, s, &p.cant, &p.twist);
+    return p;
 }

@@ -55,6 +55,8 @@ static void place_arrays(struct lumped *l, struct room *r)
         l->ballast_k[s] = take(r, n);
         l->ballast_c[s] = take(r, n);
         l->ballast_y[s] = take(r, n);
+        l->gap[s] = take(r, n);
+        l->floor[s] = take(r, n);
     }
 }
 
@@ -124,6 +126,10 @@ static void set_sleepers(struct lumped *l)
             l->ballast_k[s][i] = t->ballast_k[s * l->n + i];
             l->ballast_c[s][i] = t->ballast_c[s * l->n + i];
             l->ballast_y[s][i] = t->ballast_y[s * l->n + i];
+            l->gap[s][i] = t->ballast_gap[s * l->n + i];
+            const int bonded = t->ballast_state[s * l->n + i] == TRK_BONDED;
+            l->floor[s][i] = bonded ? -HUGE_VAL : 0;
+            l->pushes[s] |= !bonded;
         }
     }
 }
@@ -159,6 +165,31 @@ void lumped_free(struct lumped *l)
     free(l->store);
     free(l->beam[0]);
     *l = (struct lumped){0};
+}
+
+void lumped_set(struct lumped *l, const double *u)
+{
+    const struct trk *t = l->track;
+
+    memset(l->v, 0, (size_t)(LUMPED_PARTS * l->stride) * sizeof *l->v);
+    for (int64_t i = 0; i < t->nodes; i++)
+        for (int part = LUMPED_WL; part <= LUMPED_TR; part++)
+            l->u[part * l->stride + i] = u[t->node_dof[i] + part];
+    for (int64_t i = 0; i < t->sleepers; i++)
+        for (int part = LUMPED_Z; part <= LUMPED_ROLL; part++)
+            l->u[part * l->stride + i] = u[t->sleeper_dof[i] + part - LUMPED_Z];
+}
+
+void lumped_state(const struct lumped *l, const double *state, double *x)
+{
+    const struct trk *t = l->track;
+
+    for (int64_t i = 0; i < t->nodes; i++)
+        for (int part = LUMPED_WL; part <= LUMPED_TR; part++)
+            x[t->node_dof[i] + part] = state[part * l->stride + i];
+    for (int64_t i = 0; i < t->sleepers; i++)
+        for (int part = LUMPED_Z; part <= LUMPED_ROLL; part++)
+            x[t->sleeper_dof[i] + part - LUMPED_Z] = state[part * l->stride + i];
 }
 
 /* ---- accelerations ---- */
@@ -209,6 +240,18 @@ CLONES static void settle(int64_t n, const double *restrict z, const double *res
         F[i] = k[i] * (z[i] + y[i] * r[i]) + c[i] * (vz[i] + y[i] * vr[i]);
 }
 
+/* The same where some ballast only pushes: beyond its gap k (e - gap) + c e', which never pulls. */
+CLONES static void settle_pushing(int64_t n, const double *restrict z, const double *restrict vz, const double *restrict r,
+                                  const double *restrict vr, const double *restrict y, const double *restrict k,
+                                  const double *restrict c, const double *restrict gap, const double *restrict least, double *restrict F)
+{
+    for (int64_t i = 0; i < n; i++) {
+        double e = z[i] + y[i] * r[i], f = k[i] * (e - gap[i]) + c[i] * (vz[i] + y[i] * vr[i]);
+        f = f > least[i] ? f : least[i];
+        F[i] = e > gap[i] + least[i] ? f : 0;
+    }
+}
+
 /* m a_w = shear behind - shear ahead - pad + m g;   J a_t = -near ahead - far behind. */
 CLONES static void rail_acceleration(int64_t n, const double *restrict shear, const double *restrict near,
                                      const double *restrict far, const double *restrict pad,
@@ -250,7 +293,10 @@ void lumped_accelerate(struct lumped *l)
         rail_acceleration(n, shear, near, far, l->pad[s], l->inverse + w, l->inverse + t, l->gravity, l->a + w, l->a + t);
     }
     for (int s = 0; s < 3; s++)
-        settle(n, z, vz, r, vr, l->ballast_y[s], l->ballast_k[s], l->ballast_c[s], l->ballast[s]);
+        if (l->pushes[s])
+            settle_pushing(n, z, vz, r, vr, l->ballast_y[s], l->ballast_k[s], l->ballast_c[s], l->gap[s], l->floor[s], l->ballast[s]);
+        else
+            settle(n, z, vz, r, vr, l->ballast_y[s], l->ballast_k[s], l->ballast_c[s], l->ballast[s]);
     sleeper_acceleration(n, l->pad[0], l->pad[1], l->arm[0], l->arm[1], l->ballast[0], l->ballast[1], l->ballast[2],
                          l->ballast_y[0], l->ballast_y[1], l->ballast_y[2], l->inverse + LUMPED_Z * k,
                          l->inverse + LUMPED_ROLL * k, l->gravity, l->a + LUMPED_Z * k, l->a + LUMPED_ROLL * k);
@@ -258,33 +304,12 @@ void lumped_accelerate(struct lumped *l)
 
 /* ---- wheels ---- */
 
-/* Nodes stand evenly or nearly so: guess, then walk. */
-int64_t lumped_element(const struct lumped *l, double x)
+struct wheel_place lumped_find(const struct lumped *l, int rail, double x)
 {
-    const double *node = l->track->x;
-    int64_t last = l->n - 2, i = (int64_t)((x - node[0]) / (node[last + 1] - node[0]) * (double)(last + 1));
-
-    i = i < 0 ? 0 : i > last ? last : i;
-    while (i > 0 && x < node[i])
-        i--;
-    while (i < last && x >= node[i + 1])
-        i++;
-    return i;
+    return wheel_place_find(l->track, l->beam[rail], x);
 }
 
-struct lumped_place lumped_find(const struct lumped *l, int rail, double x)
-{
-    struct lumped_place p = {.node = lumped_element(l, x)};
-    const struct beam *b = &l->beam[rail][p.node];
-    const double a = x - b->from;
-
-    beam_shape(b, a, p.shape);
-    beam_slope(b, a, p.slope);
-    p.compliance = beam_compliance(b, a);
-    return p;
-}
-
-double lumped_sample(const struct lumped *l, int rail, const struct lumped_place *p, const double f[4], const double *state)
+double lumped_sample(const struct lumped *l, int rail, const struct wheel_place *p, const double f[4], const double *state)
 {
     const double *w = state + (rail ? LUMPED_WR : LUMPED_WL) * l->stride + p->node;
     const double *t = state + (rail ? LUMPED_TR : LUMPED_TL) * l->stride + p->node;
@@ -293,7 +318,7 @@ double lumped_sample(const struct lumped *l, int rail, const struct lumped_place
 }
 
 /* The shares of the force at the ends, and off the element's own end moments those of its held ends. */
-void lumped_load(struct lumped *l, int rail, const struct lumped_place *p, double F)
+void lumped_load(struct lumped *l, int rail, const struct wheel_place *p, double F)
 {
     int64_t w = (rail ? LUMPED_WR : LUMPED_WL) * l->stride + p->node;
     int64_t t = (rail ? LUMPED_TR : LUMPED_TL) * l->stride + p->node;
@@ -326,7 +351,10 @@ double lumped_highest(struct lumped *l)
 {
     size_t n = (size_t)(LUMPED_PARTS * l->stride);
     double lambda = 0, g = l->gravity;
+    int pushes[3];
 
+    memcpy(pushes, l->pushes, sizeof pushes);
+    memset(l->pushes, 0, sizeof pushes);
     l->gravity = 0;
     memset(l->v, 0, n * sizeof *l->v);
     for (size_t i = 0; i < n; i++)
@@ -347,5 +375,6 @@ double lumped_highest(struct lumped *l)
     memset(l->u, 0, n * sizeof *l->u);
     memset(l->a, 0, n * sizeof *l->a);
     l->gravity = g;
+    memcpy(l->pushes, pushes, sizeof pushes);
     return sqrt(lambda);
 }

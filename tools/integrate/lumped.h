@@ -5,8 +5,7 @@
 #ifndef VX_INTEGRATE_LUMPED_H
 #define VX_INTEGRATE_LUMPED_H
 
-#include "formats/trk.h"
-#include "tools/track/beam.h"
+#include "tools/integrate/wheel_place.h"
 
 enum lumped_part { LUMPED_WL, LUMPED_TL, LUMPED_WR, LUMPED_TR, LUMPED_Z, LUMPED_ROLL, LUMPED_PARTS };
 
@@ -25,6 +24,8 @@ struct lumped {
     double *shear[2], *near[2], *far[2];/* N, N m [stride + 8] end forces of the elements, one ahead of the first */
     double *pad_k[2], *pad_c[2], *arm[2];               /* N/m, N s/m, m [stride] of the pads; arm to the sleeper's centre */
     double *ballast_k[3], *ballast_c[3], *ballast_y[3]; /* the same of the ballast */
+    double *gap[3], *floor[3];          /* m, N [stride] beneath the sleeper, and the least force: 0, or -infinity where bonded */
+    int pushes[3];                      /* whether any spring of the row only pushes */
     double *store;
 };
 
@@ -32,33 +33,29 @@ struct lumped {
 const char *lumped_new(struct lumped *l, const struct trk *t, double gravity);
 void lumped_free(struct lumped *l);
 
+/* At rest with u [dofs of the track] m and rad, in the order of that. */
+void lumped_set(struct lumped *l, const double *u);
+
+/* The state u or v, as x [dofs of the track]. */
+void lumped_state(const struct lumped *l, const double *state, double *x);
+
 /* Accelerations a, pad and ballast forces from u and v, without wheels. */
 void lumped_accelerate(struct lumped *l);
 
-/* Where a wheel stands: its element and the shape functions there. */
-struct lumped_place {
-    int64_t node;         /* ahead of the wheel is node + 1 */
-    double shape[4];      /* of [w t w t] */
-    double slope[4];      /* 1/m their derivatives by x */
-    double compliance;    /* m/N of the loaded element with held ends */
-};
-
-/* The element, by the node behind, under station x. */
-int64_t lumped_element(const struct lumped *l, double x);
-
 /* The element of rail 0 left or 1 right under station x, which must lie between the first and the last node. */
-struct lumped_place lumped_find(const struct lumped *l, int rail, double x);
+struct wheel_place lumped_find(const struct lumped *l, int rail, double x);
 
 /* f.[w t w t] with the shape or slope functions f, of the state u or v. */
-double lumped_sample(const struct lumped *l, int rail, const struct lumped_place *p, const double f[4], const double *state);
+double lumped_sample(const struct lumped *l, int rail, const struct wheel_place *p, const double f[4], const double *state);
 
 /* Adds to a, and to the end moments of the element, what a force F down at the place gives. */
-void lumped_load(struct lumped *l, int rail, const struct lumped_place *p, double F);
+void lumped_load(struct lumped *l, int rail, const struct wheel_place *p, double F);
 
 /* Bending moment N m at the nodes of a rail into m[n], positive with tension in the foot. */
 void lumped_moment(const struct lumped *l, int rail, double *m);
 
-/* rad/s, the highest natural frequency of the track without damping, by power iteration on M^-1 K (leaves the state zero). */
+/* rad/s, the highest natural frequency of the track without damping, by power iteration on M^-1 K (leaves the state zero); all ballast
+ * touches, which is stiffest. */
 double lumped_highest(struct lumped *l);
 
 #endif

@@ -1,26 +1,27 @@
 #include "tools/integrate/passage.h"
 #include "formats/reason.h"
 #include "tools/contact/lookup.h"
-#include "tools/contact/clones.h"
 #include "tools/creep/kalker.h"
-#include "tools/integrate/check_rail.h"
+#include "tools/integrate/two_step.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Of 2/omega of the track alone.  The turnout's diverging route at 80 km/h keeps its forces at 0.84; at 0.89 the creep forces of the flange
- * shake the rail, at 0.94 Hertz's stiffness on the nodes does, and without a train the dampers at 0.99. */
-#define STEP_MARGIN 0.84
 #define SPIN_MARGIN 0.8    /* of 1/rate, below */
 #define END_MARGIN 5.0     /* m that every wheel keeps from a free rail end */
 
 /* ---- checks ---- */
 
-static const char *check_ends(const struct passage_options *o, const struct trk *t, const struct veh *v)
+static const char *check_ends(const struct passage *p)
 {
+    const struct passage_options *o = &p->o;
+    const struct trk *t = p->track;
+    const struct veh *v = p->vehicle;
     double rear = 0, first = t->x[0] + END_MARGIN, last = t->x[t->nodes - 1] - END_MARGIN;
 
+    if (!v->wheelsets || p->follows)
+        return NULL;
     for (int64_t i = 0; i < v->wheelsets; i++)
         rear = fmin(rear, v->cg[3 * v->wheelset[i]]);
     if (o->start + rear < first)
@@ -32,12 +33,23 @@ static const char *check_ends(const struct passage_options *o, const struct trk 
 
 static const char *check_tables(const struct veh *v, const struct ctab *left, const struct ctab *right)
 {
+    if (!v->wheelsets)
+        return NULL;
     if (left->side != 'l' || right->side != 'r')
         return "the contact tables are not one of a left and one of a right side";
     for (int64_t i = 0; i < v->wheelsets; i++)
         if (fabs(v->radius[i] - left->radius) > 1e-6 || fabs(v->radius[i] - right->radius) > 1e-6)
             return reason("wheelset %lld has radius %g m, the contact tables %g and %g m", (long long)i + 1, v->radius[i],
                           left->radius, right->radius);
+    return NULL;
+}
+
+static const char *check_flats(const struct excitation_options *o, const struct veh *v)
+{
+    for (int64_t i = 0; i < o->flats; i++)
+        if (o->flat[i].wheelset > v->wheelsets)
+            return reason("wheel_flat.%lld.wheelset is %lld, but the vehicle has %lld", (long long)i + 1, (long long)o->flat[i].wheelset,
+                          (long long)v->wheelsets);
     return NULL;
 }
 
@@ -68,9 +80,7 @@ static const char *check_step(struct passage *p)
 
     for (int64_t i = 0; i < p->vehicle->wheelsets && p->o.law.friction > 0; i++)
         spin = fmax(spin, spin_rate(p, i));
-    p->limit = STEP_MARGIN * 2 / lumped_highest(&p->rails);
-    if (p->o.step > p->limit)
-        return reason("step %g s is beyond the limit of the explicit scheme on this track, %.3g s", p->o.step, p->limit);
+    p->limit = p->rails.limit;
     if (p->o.step * spin > SPIN_MARGIN)
         return reason("step %g s is beyond the limit of the wheelsets' spin at %.3g m/s, %.3g s", p->o.step, p->o.speed, SPIN_MARGIN / spin);
     if (spin > 0)
@@ -78,14 +88,17 @@ static const char *check_step(struct passage *p)
     return NULL;
 }
 
-static int sideways_new(struct sideways *s, size_t wheels)
+/* A moving mass is laid under every wheelset. */
+static const char *lay_track(struct passage *p, const struct trk *track)
 {
-    s->y = calloc(3 * wheels, sizeof *s->y);
-    if (!s->y)
-        return 0;
-    s->v = s->y + wheels;
-    s->a = s->v + wheels;
-    return 1;
+    p->follows = follow_is(track);
+    p->track = p->follows ? &p->own : track;
+    return p->follows ? follow_train(&p->own, track, p->vehicle) : NULL;
+}
+
+int64_t passage_steps(const struct passage_options *o)
+{
+    return (int64_t)ceil((o->end - o->start) / (o->speed * o->step) - 1e-9);
 }
 
 const char *passage_new(struct passage *p, const struct passage_options *o, const struct trk *track, const struct veh *vehicle,
@@ -94,116 +107,73 @@ const char *passage_new(struct passage *p, const struct passage_options *o, cons
     size_t wheels = (size_t)(2 * vehicle->wheelsets);
     const char *why;
 
-    *p = (struct passage){.o = *o, .track = track, .vehicle = vehicle, .table = {left, right}, .station = o->start};
-    p->steps = (int64_t)ceil((o->end - o->start) / (o->speed * o->step) - 1e-9);
+    *p = (struct passage){.o = *o, .vehicle = vehicle, .table = {left, right}, .station = o->start};
+    p->steps = o->exciter ? o->exciter->steps : (int64_t)ceil((o->end - o->start) / (o->speed * o->step) - 1e-9);
     p->memory = calloc(wheels, sizeof *p->memory);
+    p->couple = calloc(wheels, sizeof *p->couple);
     p->wheel = calloc(wheels, sizeof *p->wheel);
-    if (!p->memory || !p->wheel || !sideways_new(&p->sideways, wheels))
+    if (!p->memory || !p->couple || !p->wheel || sideways_new(&p->sideways, vehicle->wheelsets))
         why = REASON_MEMORY;
-    else if (!(why = check_ends(o, track, vehicle)) && !(why = check_tables(vehicle, left, right)) &&
+    else if (!(why = lay_track(p, track)) && !(why = check_ends(p)) && !(why = check_tables(vehicle, left, right)) &&
              !(why = alignment_new(&p->alignment, track->curves, track->curve_x, track->curvature)) &&
-             !(why = lumped_new(&p->rails, track, vehicle->gravity)) && !(why = train_new(&p->train, vehicle, o->speed)))
+             !(why = check_flats(&o->excitation, vehicle)) && !(why = excitation_new(&p->excitation, &o->excitation)) &&
+             !(why = way_new(&p->rails, p->track, vehicle->gravity, o->step, o->scheme)) &&
+             (!o->account || !(why = energy_new(&p->energy, &p->rails))) && !(why = train_new(&p->train, vehicle, o->speed)))
         why = check_step(p);
     if (why)
         passage_free(p);
+    else
+        alignment_raise(&p->alignment, track->cants, track->cant_x, track->cant, track->rail_spacing);
     return why;
 }
 
 void passage_free(struct passage *p)
 {
     alignment_free(&p->alignment);
-    lumped_free(&p->rails);
+    excitation_free(&p->excitation);
+    way_free(&p->rails);
+    energy_free(&p->energy);
     train_free(&p->train);
     free(p->memory);
+    free(p->couple);
     free(p->wheel);
-    free(p->sideways.y);
+    sideways_free(&p->sideways);
+    trk_free(&p->own);
     memset(p, 0, sizeof *p);
 }
 
 /* ---- forces ---- */
 
-/* Depth and slope of all dips at s. */
-static void sum_dips(const struct passage_options *o, double s, double *depth, double *slope)
-{
-    *depth = *slope = 0;
-    for (int64_t i = 0; i < o->dips; i++) {
-        const struct case_dip *d = &o->dip[i];
-        double k = 2 * M_PI / d->length;
-        if (s <= d->from || s >= d->from + d->length)
-            continue;
-        *depth += 0.5 * d->depth * (1 - cos(k * (s - d->from)));
-        *slope += 0.5 * d->depth * k * sin(k * (s - d->from));
-    }
-}
-
-static double wheel_station(const struct passage *p, int64_t i)
+double passage_wheel_station(const struct passage *p, int64_t i)
 {
     return p->station + p->vehicle->cg[3 * p->vehicle->wheelset[i]];
 }
 
-static void fill_input(const struct passage *p, int64_t i, int side, const struct lumped_place *place, struct wheel_input *in)
+struct wheel_place passage_place(const struct passage *p, int64_t i, int side)
 {
+    return p->follows ? follow_find(p->track->nodes, i) : way_find(&p->rails, side, passage_wheel_station(p, i));
+}
+
+void passage_wheel_input(const struct passage *p, int64_t i, int side, const struct wheel_place *place, struct way_rail *rail,
+                         struct wheel_input *in)
+{
+    struct excitation_at at;
+
     in->table = p->table[side];
-    in->s = wheel_station(p, i);
+    in->s = passage_wheel_station(p, i);
     train_wheelset(&p->train, i, in);
-    in->rail_z = lumped_sample(&p->rails, side, place, place->shape, p->rails.u);
-    in->rail_v = lumped_sample(&p->rails, side, place, place->shape, p->rails.v);
-    in->rail_slope = lumped_sample(&p->rails, side, place, place->slope, p->rails.u);
-    in->compliance = place->compliance;
+    way_look(&p->rails, side, place, rail);
+    in->rail_z = rail->z;
+    in->rail_v = rail->v;
+    in->rail_slope = rail->slope;
+    in->compliance = rail->local;
     in->rail_y = p->sideways.y[2 * i + side];
     in->rail_vy = p->sideways.v[2 * i + side];
-    sum_dips(&p->o, in->s, &in->dip, &in->dip_slope);
-}
-
-void passage_wheel_input(const struct passage *p, int64_t i, int side, struct wheel_input *in)
-{
-    struct lumped_place place = lumped_find(&p->rails, side, wheel_station(p, i));
-
-    fill_input(p, i, side, &place, in);
-}
-
-/* m y'' = Y - k y - c y', Y without what goes into the check rail; nothing where the rails do not yield.  Creep damps a rail
- * mass within a step, so the acceleration is that of the linear-implicit Euler scheme,
- *   (m + h (c + D) + h^2 k) y'' = Y(y, y') - k (y + h y') - c y',  D = -dY/dy' of small creepages,
- * of first order, which matters to nothing slower than a few steps. */
-static void accelerate_sideways(struct passage *p, int64_t k)
-{
-    const struct trk *t = p->track;
-    const struct wheel_output *w = &p->wheel[k];
-    struct sideways *s = &p->sideways;
-    const double h = p->o.step, stiffness = *t->lateral_k, damping = *t->lateral_c;
-
-    if (stiffness > 0)
-        s->a[k] = (w->Y - w->check - stiffness * (s->y[k] + h * s->v[k]) - damping * s->v[k]) /
-                  (*t->lateral_m + h * (damping + w->creep_damping) + h * h * stiffness);
-}
-
-static void move_sideways(struct passage *p)
-{
-    struct sideways *s = &p->sideways;
-
-    for (int64_t k = 0; k < 2 * p->vehicle->wheelsets; k++) {
-        s->v[k] += p->o.step * s->a[k];
-        s->y[k] += p->o.step * s->v[k];
-    }
-}
-
-static const char *wheel_forces(struct passage *p)
-{
-    for (int64_t k = 0; k < 2 * p->vehicle->wheelsets; k++) {
-        int side = (int)(k % 2);
-        struct lumped_place place = lumped_find(&p->rails, side, wheel_station(p, k / 2));
-        struct wheel_input in;
-        fill_input(p, k / 2, side, &place, &in);
-        const char *why = wheel_force(&p->o.law, &in, &p->memory[k], &p->wheel[k]);
-        if (why)
-            return reason("wheelset %lld, %s wheel, station %.3f m: %s", (long long)(k / 2 + 1), side ? "right" : "left",
-                          in.s, why);
-        check_rail_add(p->track, side, &in, &p->wheel[k]);
-        lumped_load(&p->rails, side, &place, p->wheel[k].Q);
-        accelerate_sideways(p, k);
-    }
-    return NULL;
+    excitation_find(&p->excitation, in->s, i, side, p->vehicle->radius[i], &at);
+    in->dip = at.z;
+    in->dip_slope = at.z_slope;
+    in->line = at.y;
+    in->line_slope = at.y_slope;
 }
 
 const char *passage_forces(struct passage *p)
@@ -211,45 +181,39 @@ const char *passage_forces(struct passage *p)
     const char *why;
 
     train_locate(&p->train, &p->alignment, p->station);
-    lumped_accelerate(&p->rails);
-    if ((why = wheel_forces(p)))
+    if ((why = couple_wheels(p)))
         return why;
+    sideways_accelerate(&p->sideways, p->track, p->follows, p->o.step, p->wheel);
+    way_finish(&p->rails);
+    if (p->o.account && p->n > 0)
+        energy_lose(&p->energy, &p->rails);
     train_accelerate(&p->train, p->wheel);
     return NULL;
 }
 
 /* ---- the step ---- */
 
-/* With before = a, as passage_start leaves it, the first step is x + v h + a h^2/2, v + a h. */
-CLONES static void predict(int64_t n, double h, double *restrict x, double *restrict v, const double *restrict a,
-                           double *restrict before)
-{
-    for (int64_t i = 0; i < n; i++) {
-        x[i] += v[i] * h + (a[i] - 0.5 * before[i]) * h * h;
-        v[i] += (1.5 * a[i] - 0.5 * before[i]) * h;
-        before[i] = a[i];
-    }
-}
-
-/* A motion that grows without bound shows in the train, which stands on everything else. */
+/* A motion that grows without bound shows in the train, which stands on everything else, or without one in the rails. */
 static const char *check_motion(const struct passage *p)
 {
     double sum = 0;
 
     for (int64_t k = 0; k < p->train.dofs; k++)
         sum += p->train.a[k];
+    for (int64_t k = 0; k < p->track->nodes && !p->train.dofs; k++)
+        sum += p->rails.wa[TRK_LEFT][k] + p->rails.wa[TRK_RIGHT][k];
     return isfinite(sum) ? NULL : reason("the motion is not finite at station %.3f m", p->station);
 }
 
 const char *passage_step(struct passage *p)
 {
-    struct lumped *l = &p->rails;
     struct train *t = &p->train;
     const char *why;
 
-    predict(LUMPED_PARTS * l->stride, p->o.step, l->u, l->v, l->a, l->before);
-    predict(t->dofs, p->o.step, t->q, t->v, t->a, t->before);
-    move_sideways(p);
+    train_keep(t, p->o.step);
+    way_advance(&p->rails);
+    two_step(t->dofs, p->o.step, t->q, t->v, t->a, t->before);
+    sideways_move(&p->sideways, p->o.step);
     p->n++;
     p->time = (double)p->n * p->o.step;
     p->station = p->o.start + p->o.speed * p->time;

@@ -9,41 +9,57 @@
 
 #include "formats/case_text.h"
 #include "tools/integrate/alignment.h"
-#include "tools/integrate/lumped.h"
+#include "tools/integrate/couple.h"
+#include "tools/integrate/energy.h"
+#include "tools/integrate/excitation.h"
+#include "tools/integrate/exciter.h"
+#include "tools/integrate/follow.h"
+#include "tools/integrate/sideways.h"
 #include "tools/integrate/train.h"
+#include "tools/integrate/way.h"
 #include "tools/integrate/wheel.h"
 
 struct passage_options {
     double speed;                   /* m/s */
     double start, end;              /* m, stations of the front wheelset */
     double step;                    /* s */
+    enum way_scheme scheme;         /* of the track */
+    int account;                    /* whether its energy is accounted for */
     struct wheel_law law;
-    int64_t dips;
-    const struct case_dip *dip;     /* [dips] depth/2 (1 - cos 2 pi (s - from)/length) under every wheel */
+    struct excitation_options excitation;
+    const struct exciter *exciter;  /* NULL, or a prescribed force on the track: it sets the number of steps */
 };
 
 struct passage {
     struct passage_options o;
-    const struct trk *track;
+    const struct trk *track;        /* own where it follows the train */
+    struct trk own;                 /* a moving mass under each wheelset */
+    int follows;
     const struct veh *vehicle;
     const struct ctab *table[2];    /* left, right */
     struct alignment alignment;
-    struct lumped rails;
+    struct excitation excitation;
+    struct way rails;
     struct train train;
     struct wheel_memory *memory;    /* [wheelsets][2] */
+    struct energy energy;           /* of the track */
+    struct couple *couple;          /* [wheelsets][2] */
     struct wheel_output *wheel;     /* [wheelsets][2] */
-    struct sideways {               /* [wheelsets][2] of the rail under each wheel, to the right */
-        double *y, *v, *a;          /* m, m/s, m/s2 */
-    } sideways;
+    struct sideways sideways;
     double limit;                   /* s, of a stable step */
     int64_t n, steps;               /* done, and in all */
+    int64_t rounds;                 /* of forces and rails, in all steps */
     double time, station;           /* s, m of the front wheelset */
 };
 
-/* Checks that train, track, tables and options fit together, and the step against its limit.  All inputs must outlive p. */
+/* Checks that train, track, tables and options fit together, and the step against its limit.  All inputs must outlive p.  A vehicle without
+ * bodies leaves the track to the exciter; it has no weight then, and needs no tables. */
 const char *passage_new(struct passage *p, const struct passage_options *o, const struct trk *track, const struct veh *vehicle,
                         const struct ctab *left, const struct ctab *right);
 void passage_free(struct passage *p);
+
+/* Steps from start to end. */
+int64_t passage_steps(const struct passage_options *o);
 
 /* All forces and accelerations from the present positions and rates. */
 const char *passage_forces(struct passage *p);
@@ -51,7 +67,14 @@ const char *passage_forces(struct passage *p);
 /* One step on; fails, with station and wheelset, where a wheel leaves its rail's table or motion is not finite. */
 const char *passage_step(struct passage *p);
 
-/* Rail deflection and the like for wheel (i, side) at the present state. */
-void passage_wheel_input(const struct passage *p, int64_t i, int side, struct wheel_input *in);
+/* m, of wheelset i */
+double passage_wheel_station(const struct passage *p, int64_t i);
+
+/* Where wheel (i, side) stands. */
+struct wheel_place passage_place(const struct passage *p, int64_t i, int side);
+
+/* What wheel (i, side) meets at the present state, standing at `place` on its rail; the rail as it is there. */
+void passage_wheel_input(const struct passage *p, int64_t i, int side, const struct wheel_place *place, struct way_rail *rail,
+                         struct wheel_input *in);
 
 #endif

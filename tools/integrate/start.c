@@ -2,7 +2,7 @@
  * so much stiffer than the springs that each round gains two digits. */
 #include "tools/integrate/start.h"
 #include "formats/reason.h"
-#include "tools/track/cholesky.h"
+#include "tools/track/equilibrium.h"
 
 #include <lapacke.h>
 #include <math.h>
@@ -16,9 +16,10 @@ enum { ROUNDS_MOST = 30, HEIGHT_MOST = 60 };
 
 struct rest {
     struct passage *p;
-    struct cholesky factor;
+    struct equilibrium track;
     double *f, *u;          /* [track dofs] */
     double *load;           /* N [wheels] */
+    double shift;           /* N, largest change of a lateral force since rails were put aside for it */
     int64_t n;              /* dofs that move: all of bodies that are not wheelsets */
     int64_t *free;          /* [n] their numbers */
     double *K;              /* [n][n] their stiffness */
@@ -28,22 +29,15 @@ struct rest {
 
 /* ---- track ---- */
 
-/* Own weight and wheel loads as nodal forces; pitch is that of trk.h, as in lumped. */
+/* Own weight and wheel loads as nodal forces. */
 static void track_loads(struct rest *r)
 {
     const struct trk *t = r->p->track;
-    double g = r->p->rails.gravity;
 
-    memset(r->f, 0, (size_t)t->dofs * sizeof *r->f);
-    for (int64_t i = 0; i < t->nodes; i++)
-        for (int s = 0; s < 2; s++)
-            r->f[t->node_dof[i] + 2 * s] += t->rail_mass[s * t->nodes + i] * g;
-    for (int64_t i = 0; i < t->sleepers; i++)
-        r->f[t->sleeper_dof[i]] += t->sleeper_mass[i] * g;
+    memcpy(r->f, r->track.weight, (size_t)t->dofs * sizeof *r->f);
     for (int64_t k = 0; k < 2 * r->p->vehicle->wheelsets; k++) {
-        int64_t body = r->p->vehicle->wheelset[k / 2];
         int s = (int)(k % 2);
-        struct lumped_place at = lumped_find(&r->p->rails, s, r->p->station + r->p->vehicle->cg[3 * body]);
+        struct wheel_place at = passage_place(r->p, k / 2, s);
         for (int j = 0; j < 4; j++)
             r->f[t->node_dof[at.node + j / 2] + 2 * s + j % 2] += at.shape[j] * r->load[k];
     }
@@ -51,23 +45,24 @@ static void track_loads(struct rest *r)
 
 static const char *settle_track(struct rest *r)
 {
-    const struct trk *t = r->p->track;
-    struct lumped *l = &r->p->rails;
     const char *why;
 
     track_loads(r);
-    if ((why = cholesky_solve(&r->factor, r->f, r->u)))
+    if ((why = equilibrium_find(&r->track, r->f, r->u)))
         return why;
-    for (int64_t i = 0; i < t->nodes; i++)
-        for (int part = LUMPED_WL; part <= LUMPED_TR; part++)
-            l->u[part * l->stride + i] = r->u[t->node_dof[i] + part];
-    for (int64_t i = 0; i < t->sleepers; i++)
-        for (int part = LUMPED_Z; part <= LUMPED_ROLL; part++)
-            l->u[part * l->stride + i] = r->u[t->sleeper_dof[i] + part - LUMPED_Z];
+    way_set(&r->p->rails, r->u);
     return NULL;
 }
 
 /* ---- wheels ---- */
+
+static void wheel_input(const struct passage *p, int64_t i, int side, struct wheel_input *in)
+{
+    const struct wheel_place place = passage_place(p, i, side);
+    struct way_rail rail;
+
+    passage_wheel_input(p, i, side, &place, &rail, in);
+}
 
 /* Height z of the wheel at which it carries `load`, with both wheels of the set at that height: bisection on a force that grows with z. */
 static const char *seek_height(struct rest *r, int64_t k, double *z)
@@ -77,7 +72,7 @@ static const char *seek_height(struct rest *r, int64_t k, double *z)
     struct wheel_output out = {0};
     double low, high, load = r->load[k];
 
-    passage_wheel_input(p, k / 2, (int)(k % 2), &in);
+    wheel_input(p, k / 2, (int)(k % 2), &in);
     in.roll = in.vroll = in.rail_v = in.vz = 0;
     in.rail_slope = 0;
     low = in.rail_z - 0.02;
@@ -95,8 +90,10 @@ static const char *seek_height(struct rest *r, int64_t k, double *z)
         *(out.Q < load ? &low : &high) = in.z;
     }
     *z = in.z;
-    if (*p->track->lateral_k > 0)
+    if (*p->track->lateral_k > 0 && (!p->follows || *p->track->sleeper_lateral_k > 0)) { /* else both sides push on one mass */
+        r->shift = fmax(r->shift, fabs(out.Y - *p->track->lateral_k * p->sideways.y[k]));
         p->sideways.y[k] = out.Y / *p->track->lateral_k; /* the next round has it */
+    }
     return NULL;
 }
 
@@ -131,7 +128,7 @@ static const char *axle_moment(struct rest *r, int64_t i, double spin, double *m
         struct wheel_input in;
         struct wheel_memory memory = p->memory[2 * i + s];
         struct wheel_output out;
-        passage_wheel_input(p, i, s, &in);
+        wheel_input(p, i, s, &in);
         in.rail_slope = 0;
         why = wheel_force(&p->o.law, &in, &memory, &out);
         *moment += out.moment[1];
@@ -213,6 +210,7 @@ static const char *settle_wheels(struct rest *r)
 
     for (int64_t i = 0; i < r->p->vehicle->wheelsets && !why; i++)
         why = settle_spin(r, i);
+    r->shift = 0;
     return why ? why : settle_wheelsets(r);
 }
 
@@ -224,8 +222,10 @@ static const char *settle(struct rest *r)
 
     memcpy(r->load, v->wheel_load, (size_t)(2 * v->wheelsets) * sizeof *r->load);
     for (int i = 0; i < ROUNDS_MOST && change > LOAD_TOLERANCE && !why; i++)
-        if (!(why = settle_track(r)) && !(why = settle_wheels(r)) && !(why = settle_bodies(r)))
+        if (!(why = settle_track(r)) && !(why = settle_wheels(r)) && !(why = settle_bodies(r))) {
             share_loads(r, &change);
+            change = fmax(change, r->shift);
+        }
     if (!why && change > LOAD_TOLERANCE)
         why = reason("no static equilibrium found: wheel loads still change by %.3g N", change);
     return why;
@@ -238,6 +238,9 @@ static const char *check_straight(const struct passage *p)
         if (p->train.line[i].heading != 0 || p->train.line[i].offset != 0)
             return reason("%s would start in or behind a curve: the start is found on straight track only, before %g m",
                           p->vehicle->body_name[i], p->alignment.x[0]);
+        else if (p->train.line[i].cant != 0)
+            return reason("%s would start on cant: the start is found on level track only, before %g m", p->vehicle->body_name[i],
+                          p->alignment.cant_x[0]);
     return NULL;
 }
 
@@ -264,7 +267,12 @@ static const char *begin(struct passage *p, double *residual)
         return why;
     for (int64_t i = 0; i < p->vehicle->bodies; i++)
         *residual = fmax(*residual, fabs(p->train.a[6 * i + VEH_Z]) / p->vehicle->gravity);
-    memcpy(p->rails.before, p->rails.a, (size_t)(LUMPED_PARTS * p->rails.stride) * sizeof *p->rails.a);
+    for (size_t k = 0; k < (size_t)(2 * p->vehicle->wheelsets); k++) {
+        p->memory[k].before = p->memory[k].local;
+        p->memory[k].Q_before = p->memory[k].Q;
+    }
+    if (p->o.account)
+        energy_begin(&p->energy, &p->rails);
     memcpy(p->train.before, p->train.a, (size_t)p->train.dofs * sizeof *p->train.a);
     return NULL;
 }
@@ -277,6 +285,8 @@ const char *passage_start(struct passage *p, double *residual)
     const char *why;
 
     train_locate(&p->train, &p->alignment, p->station);
+    if (!v->bodies)
+        return begin(p, residual);
     if ((why = check_straight(p)))
         return why;
     r.f = calloc((size_t)p->track->dofs, sizeof *r.f);
@@ -288,12 +298,12 @@ const char *passage_start(struct passage *p, double *residual)
     r.pivot = calloc(dofs, sizeof *r.pivot);
     if (!r.f || !r.u || !r.load || !r.free || !r.K || !r.x || !r.pivot)
         why = REASON_MEMORY;
-    else if (!(why = cholesky_new(&r.factor, p->track))) {
+    else if (!(why = equilibrium_new(&r.track, p->track, p->vehicle->gravity))) {
         find_free(&r);
         why = settle(&r);
         if (!why)
             why = begin(p, residual);
-        cholesky_free(&r.factor);
+        equilibrium_free(&r.track);
     }
     free(r.f);
     free(r.u);

@@ -2,6 +2,7 @@
 #include "formats/reason.h"
 #include "tools/vehicle/couplings.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -24,7 +25,7 @@ static double middle(const struct veh *v)
         mass += v->mass[i];
         moment += v->mass[i] * v->cg[3 * i];
     }
-    return moment / mass;
+    return mass > 0 ? moment / mass : 0;
 }
 
 const char *train_new(struct train *t, const struct veh *v, double speed)
@@ -32,9 +33,10 @@ const char *train_new(struct train *t, const struct veh *v, double speed)
     size_t n = (size_t)(6 * v->bodies);
 
     *t = (struct train){.vehicle = v, .dofs = 6 * v->bodies, .speed = speed, .middle = middle(v)};
+    const char *why = couplings_memory_new(&t->memory, v);
     t->q = calloc(7 * n, sizeof *t->q);
     t->line = calloc((size_t)v->bodies, sizeof *t->line);
-    if (!t->q || !t->line) {
+    if (why || !t->q || !t->line) {
         train_free(t);
         return REASON_MEMORY;
     }
@@ -52,6 +54,7 @@ void train_free(struct train *t)
 {
     free(t->q);
     free(t->line);
+    couplings_memory_free(&t->memory);
     *t = (struct train){0};
 }
 
@@ -62,28 +65,67 @@ void train_locate(struct train *t, const struct alignment *a, double s)
     t->tangent = alignment_at(a, s + t->middle);
 }
 
-/* Lateral positions and yaws against the tangent at the train's middle.  Rates may keep the tangent's own motion, which is
+/* Where the origin of body i's frame puts it: a roll about the centre line moves its centre of gravity, at (y, z), by roll (-z, y). */
+static void frame_at(const struct train *t, int64_t i, double offset, double heading, double roll, double place[6])
+{
+    const double *cg = &t->vehicle->cg[3 * i];
+
+    place[VEH_X] = place[VEH_PITCH] = 0;
+    place[VEH_Y] = offset - roll * cg[2];
+    place[VEH_Z] = roll * cg[1];
+    place[VEH_ROLL] = roll;
+    place[VEH_YAW] = heading;
+}
+
+/* Positions and rotations against the tangent and the cant at the train's middle.  Rates may keep the motion of that frame, which is
  * that of a rigid body and moves no coupling. */
 static void localise(struct train *t)
 {
-    memcpy(t->local, t->q, (size_t)t->dofs * sizeof *t->q);
+    const struct alignment_point *p = &t->tangent;
+
     for (int64_t i = 0; i < t->vehicle->bodies; i++) {
-        double ahead = t->vehicle->cg[3 * i] - t->middle;
-        t->local[6 * i + VEH_Y] -= t->tangent.offset + t->tangent.heading * ahead;
-        t->local[6 * i + VEH_YAW] -= t->tangent.heading;
+        double place[6];
+        frame_at(t, i, p->offset + p->heading * (t->vehicle->cg[3 * i] - t->middle), p->heading, p->cant, place);
+        for (int k = 0; k < 6; k++)
+            t->local[6 * i + k] = t->q[6 * i + k] - place[k];
     }
 }
 
 void train_in_frame(const struct train *t, int64_t i, double q[6], double v[6])
 {
     const struct alignment_point *p = &t->line[i];
+    double place[6], rate[6];
 
-    memcpy(q, t->q + 6 * i, 6 * sizeof *q);
-    memcpy(v, t->v + 6 * i, 6 * sizeof *v);
-    q[VEH_Y] -= p->offset;
-    q[VEH_YAW] -= p->heading;
-    v[VEH_Y] -= p->heading * t->speed;      /* d offset/dt  = heading v   */
-    v[VEH_YAW] -= p->curvature * t->speed;  /* d heading/dt = curvature v */
+    frame_at(t, i, p->offset, p->heading, p->cant, place);
+    /* d offset/dt = heading v,  d heading/dt = curvature v,  d cant/dt = twist v */
+    frame_at(t, i, p->heading * t->speed, p->curvature * t->speed, p->twist * t->speed, rate);
+    for (int k = 0; k < 6; k++) {
+        q[k] = t->q[6 * i + k] - place[k];
+        v[k] = t->v[6 * i + k] - rate[k];
+    }
+}
+
+/* Acceleration of body i by its weight in axes rolled by the cant, with what of the centripetal acceleration along them is not yet in its
+ * coordinates, which count as if the plane of the rails were level:
+ *   along y: g sin - (v^2 curvature)(cos - 1),   along z: g cos + v^2 curvature sin. */
+static void fall(const struct train *t, int64_t i, double a[3])
+{
+    const struct alignment_point *p = &t->line[i];
+    const double g = t->vehicle->gravity, inward = t->speed * t->speed * p->curvature;
+
+    a[VEH_X] = 0;
+    a[VEH_Y] = g * sin(p->cant) + inward * (1 - cos(p->cant));
+    a[VEH_Z] = g * cos(p->cant) + inward * sin(p->cant);
+}
+
+void train_felt(const struct train *t, int64_t i, double a[6])
+{
+    double weight[3];
+
+    fall(t, i, weight);
+    memcpy(a, t->a + 6 * i, 6 * sizeof *a);
+    a[VEH_Y] -= weight[VEH_Y];
+    a[VEH_Z] -= weight[VEH_Z] - t->vehicle->gravity;
 }
 
 void train_wheelset(const struct train *t, int64_t i, struct wheel_input *in)
@@ -125,15 +167,24 @@ static void add_wheels(struct train *t, int64_t i, const struct wheel_output w[2
     f[VEH_YAW] -= H * rate[VEH_ROLL];
 }
 
+void train_keep(struct train *t, double h)
+{
+    couplings_keep(&t->memory, h);
+}
+
 void train_accelerate(struct train *t, const struct wheel_output *w)
 {
     const struct veh *v = t->vehicle;
 
     memset(t->f, 0, (size_t)t->dofs * sizeof *t->f);
-    for (int64_t i = 0; i < v->bodies; i++)
-        t->f[6 * i + VEH_Z] = v->mass[i] * v->gravity;
+    for (int64_t i = 0; i < v->bodies; i++) {
+        double weight[3];
+        fall(t, i, weight);
+        t->f[6 * i + VEH_Y] = v->mass[i] * weight[VEH_Y];
+        t->f[6 * i + VEH_Z] = v->mass[i] * weight[VEH_Z];
+    }
     localise(t);
-    couplings_force(v, t->local, t->v, t->f);
+    couplings_force(v, &t->memory, t->local, t->v, t->f);
     for (int64_t i = 0; i < v->wheelsets; i++)
         add_wheels(t, i, w + 2 * i);
     for (int64_t k = 0; k < t->dofs; k++)

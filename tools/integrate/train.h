@@ -1,15 +1,17 @@
 /* The train in the time step: bodies on the alignment, couplings, weights, wheel forces, gyroscopic moments.
  *
- * Lateral position and yaw of every body count from the tangent at the beginning of the alignment (alignment.h).  Less offset and
- * heading at the body's station they are those in its own track-following frame, which wheels and recorders use; less the tangent at
- * the train's middle they are small angles in one straight frame, in which the couplings act: relative yaw and lateral offset of the bodies'
- * frames are in them already.  The pitch of a wheelset is its spin beyond -v/r0. */
+ * Lateral position and yaw of every body count from the tangent at the beginning of the alignment, roll from the level (alignment.h).  Less
+ * offset, heading and cant at the body's station they are those in its own track-following frame, which wheels and recorders use; less
+ * tangent and cant at the train's middle they are small in one straight frame, in which the couplings act: relative yaw, roll and lateral
+ * offset of the bodies' frames are in them already.  y and z lie along the canted plane of the rails and across it, so gravity has a
+ * part in each.  The pitch of a wheelset is its spin beyond -v/r0. */
 #ifndef VX_INTEGRATE_TRAIN_H
 #define VX_INTEGRATE_TRAIN_H
 
 #include "formats/veh.h"
 #include "tools/integrate/alignment.h"
 #include "tools/integrate/wheel.h"
+#include "tools/vehicle/couplings_memory.h"
 
 struct train {
     const struct veh *vehicle;      /* must outlive this */
@@ -22,6 +24,7 @@ struct train {
     double middle;                  /* m, of the train, from the front wheelset: its centre of gravity */
     struct alignment_point tangent; /* the alignment there now */
     double *local;                  /* [dofs] q against that tangent */
+    struct couplings_memory memory; /* of friction and series dampers */
 };
 
 const char *train_new(struct train *t, const struct veh *v, double speed);
@@ -33,8 +36,15 @@ void train_locate(struct train *t, const struct alignment *a, double s);
 /* Position, rates and spin of wheelset i (from 0) in its own frame into in. */
 void train_wheelset(const struct train *t, int64_t i, struct wheel_input *in);
 
+/* Before a step of h s: what the couplings remember is the present. */
+void train_keep(struct train *t, double h);
+
 /* Accelerations from q, v and the wheel forces w [wheelsets][2]. */
 void train_accelerate(struct train *t, const struct wheel_output *w);
+
+/* What accelerometers on body i read, in its frame: the acceleration in space less the fall of gravity, that of level track set to
+ * zero.  So its forces but for m g along z are m a, canted or not. */
+void train_felt(const struct train *t, int64_t i, double a[6]);
 
 /* Displacement and rate of body i in its own frame. */
 void train_in_frame(const struct train *t, int64_t i, double q[6], double v[6]);

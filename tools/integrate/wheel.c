@@ -4,23 +4,14 @@
  * Contact plane: t = (0, cos g, sin g) along it, n = (0, -sin g, cos g) into the rail, g the contact angle. */
 #include "tools/integrate/wheel.h"
 #include "formats/reason.h"
-#include "tools/contact/lookup.h"
 #include "tools/creep/kalker.h"
+#include "tools/creep/table.h"
 
 #include <math.h>
 #include <string.h>
 
 enum { NEWTON_MOST = 50 };
 #define NEWTON_TOLERANCE 1e-14 /* m, of the local deflection: 1e-5 N */
-
-struct approach {
-    int n;
-    struct contact c[CONTACT_MAX];
-    double cosg[CONTACT_MAX];  /* 1 cosine of the contact angle */
-    double reach[CONTACT_MAX]; /* m how far the wheel stands below first touch, the local deflection not counted */
-    double rate[CONTACT_MAX];  /* m/s */
-    double N[CONTACT_MAX];     /* N of the whole contact; its share is weight N */
-};
 
 void wheel_condense(struct wheel_law *law, double stiffness, double damping, double series)
 {
@@ -30,42 +21,49 @@ void wheel_condense(struct wheel_law *law, double stiffness, double damping, dou
     law->damping = damping * share * share;
 }
 
-/* reach = z + roll b - height(u, roll, s) - rail - dip, all vertical, b the running circle's y. */
-static const char *approach_find(struct approach *a, const struct wheel_input *in)
+const char *wheel_meet(const struct wheel_input *in, struct wheel_approach *a)
 {
-    double b = in->table->wheel_position;
-    double u = in->y - in->roll * in->radius - in->rail_y, vu = in->vy - in->vroll * in->radius - in->rail_vy;
+    double u = in->y - in->roll * in->radius - in->rail_y - in->line;
 
-    a->n = contact_lookup(in->table, in->s, in->yaw, u, in->roll, a->c);
+    a->n = contact_lookup(in->table, in->s, in->yaw - in->line_slope, u, in->roll, a->c);
     if (a->n < 0)
         return reason("the wheel is %.1f mm beside its rail, which is beyond the contact table", 1e3 * u);
-    for (int k = 0; k < a->n; k++) {
-        const struct contact *c = &a->c[k];
-        a->cosg[k] = cos(c->row[CTAB_ANGLE]);
-        a->reach[k] = in->z + in->roll * b - c->height - in->rail_z - in->dip;
-        a->rate[k] = in->vz + in->vroll * b - c->height_u * vu - c->height_roll * in->vroll - c->height_yaw * in->vyaw - c->height_s * in->v -
-                     in->rail_v - in->rail_slope * in->v - in->dip_slope * in->v - c->height_yaw * in->vyaw;
-    }
+    for (int k = 0; k < a->n; k++)
+        a->cosg[k] = cos(a->c[k].row[CTAB_ANGLE]);
     return NULL;
 }
 
+/* reach = z + roll b - height(u, roll, s) - rail - dip, all vertical, b the running circle's y. */
+static void find_reach(const struct wheel_input *in, struct wheel_approach *a)
+{
+    double b = in->table->wheel_position, vu = in->vy - in->vroll * in->radius - in->rail_vy - in->line_slope * in->v;
+
+    for (int k = 0; k < a->n; k++) {
+        const struct contact *c = &a->c[k];
+        a->reach[k] = in->z + in->roll * b - c->height - in->rail_z - in->dip;
+        a->rate[k] = in->vz + in->vroll * b - c->height_u * vu - c->height_roll * in->vroll - c->height_yaw * in->vyaw - c->height_s * in->v -
+                     in->rail_v - in->rail_slope * in->v - in->dip_slope * in->v;
+    }
+}
+
 /* Normal force of contact k for local deflection d and its rate; *slope is dN/dd, d moving the rail down. */
-static double normal_force(const struct wheel_law *law, const struct approach *a, int k, double d, double rate_d, double *slope)
+static double normal_force(const struct wheel_law *law, const struct wheel_input *in, const struct wheel_approach *a, int k, double d,
+                           double *slope)
 {
     const double *row = a->c[k].row;
     const double cosg = a->cosg[k];
-    double e = (a->reach[k] - d) * cosg, ve = (a->rate[k] - rate_d) * cosg, N;
+    double e = (a->reach[k] - d) * cosg, ve = (a->rate[k] - (d - in->past) / in->time) * cosg, N;
 
     *slope = 0;
     if (e <= 0)
         return 0;
     if (law->normal == WHEEL_LINEAR) {
         N = law->stiffness * e + law->damping * ve;
-        *slope = -(law->stiffness + law->damping / law->step) * cosg;
+        *slope = -(law->stiffness + law->damping / in->time) * cosg;
     } else {
         double root = sqrt(e), C = row[CTAB_HERTZ_C], factor = 1 + law->hertz_damping * ve;
         N = C * e * root * factor;
-        *slope = -(1.5 * C * root * factor + C * e * root * law->hertz_damping / law->step) * cosg;
+        *slope = -(1.5 * C * root * factor + C * e * root * law->hertz_damping / in->time) * cosg;
     }
     if (N <= 0) {
         *slope = 0;
@@ -75,16 +73,17 @@ static double normal_force(const struct wheel_law *law, const struct approach *a
 }
 
 /* d - compliance Q(d) = 0 by Newton; Q falls with d, so the function rises and has one zero. */
-static double solve_local(const struct wheel_law *law, const struct wheel_input *in, const struct wheel_memory *memory,
-                          struct approach *a)
+double wheel_press(const struct wheel_law *law, const struct wheel_input *in, const struct wheel_memory *memory, struct wheel_approach *a)
 {
-    double d = memory->local;
+    double d = a->d, Q = 0;
 
+    find_reach(in, a);
     for (int i = 0; i < NEWTON_MOST; i++) {
-        double Q = memory->creep_z, dQ = 0, move;
+        double dQ = 0, move;
+        Q = memory->creep_z;
         for (int k = 0; k < a->n; k++) {
             double slope;
-            a->N[k] = normal_force(law, a, k, d, (d - memory->local) / law->step, &slope);
+            a->N[k] = normal_force(law, in, a, k, d, &slope);
             Q += a->c[k].weight * a->N[k] * a->cosg[k];
             dQ += a->c[k].weight * slope * a->cosg[k];
         }
@@ -93,7 +92,8 @@ static double solve_local(const struct wheel_law *law, const struct wheel_input 
             break;
         d -= move;
     }
-    return d;
+    a->d = d;
+    return Q;
 }
 
 /* Creepages of wheel against rail at a point r from the wheelset's centre, over v.  The wheel's material moves with
@@ -128,18 +128,22 @@ static double normal_ahead(const struct wheel_input *in, const double r[3], doub
 }
 
 /* What contact k adds to the wheel's forces. */
-static void add_contact(const struct wheel_law *law, const struct wheel_input *in, const struct approach *a, int k,
+static void add_contact(const struct wheel_law *law, const struct wheel_input *in, const struct wheel_approach *a, int k,
                         double rail_z, struct wheel_output *out, struct wheel_patch *p)
 {
     const struct ctab *t = in->table;
     const double *row = a->c[k].row;
     double N = a->N[k], w = a->c[k].weight, root = cbrt(N), g = row[CTAB_ANGLE], cosg = a->cosg[k], sing = sin(g);
-    double y = t->rail_position + in->rail_y + row[CTAB_RAIL_Y], z = rail_z + row[CTAB_RAIL_Z];
+    double y = t->rail_position + in->rail_y + in->line + row[CTAB_RAIL_Y], z = rail_z + row[CTAB_RAIL_Z];
     double semi_a = row[CTAB_HERTZ_A] * root, semi_b = row[CTAB_HERTZ_B] * root;
     double r[3] = {row[CTAB_X], y - in->y, z - in->z + in->radius}, creep[3], T[3], F[3], M[3];
 
     creepages(in, r, y, g, a->rate[k], creep);
-    fastsim(&law->grid, semi_a, semi_b, N, law->friction, t->shear_modulus, t->poisson, creep[0], creep[1], creep[2], T);
+    double mu = friction_of(&law->varied, law->friction, t->side, in->s, row[CTAB_BODY], g, in->v * hypot(creep[0], creep[1]));
+    if (law->creep)
+        creep_table(law->creep, semi_a, semi_b, N, mu, t->shear_modulus, t->poisson, creep[0], creep[1], creep[2], T);
+    else
+        fastsim(&law->grid, semi_a, semi_b, N, mu, t->shear_modulus, t->poisson, creep[0], creep[1], creep[2], T);
     out->creep_damping += w * creep_damping(t, semi_a, semi_b, cosg, in->v);
     F[0] = w * (T[0] + normal_ahead(in, r, -N * sing, N * cosg));    /* on the rail: N n + Tx x + Ty t, spin moment Mz n */
     F[1] = w * (-N * sing + T[1] * cosg);
@@ -175,26 +179,36 @@ static void keep_patch(struct wheel_output *out, const struct wheel_patch *p)
         out->patch[i] = *p;
 }
 
+void wheel_roll(const struct wheel_law *law, const struct wheel_input *in, const struct wheel_approach *a, struct wheel_memory *memory,
+                struct wheel_output *out)
+{
+    double normal_z = 0;
+
+    memset(out, 0, sizeof *out);
+    for (int k = 0; k < a->n; k++)
+        if (a->N[k] > 0) {
+            struct wheel_patch p;
+            add_contact(law, in, a, k, in->rail_z + in->dip + a->d, out, &p);
+            keep_patch(out, &p);
+            normal_z += a->c[k].weight * a->N[k] * a->cosg[k];
+        }
+    memory->creep_z = out->Q - normal_z;
+    out->rail_z = in->rail_z + a->d;
+}
+
 const char *wheel_force(const struct wheel_law *law, const struct wheel_input *in, struct wheel_memory *memory,
                         struct wheel_output *out)
 {
-    struct approach a;
-    const char *why = approach_find(&a, in);
-    double normal_z = 0, d;
+    struct wheel_input own = *in;
+    struct wheel_approach a;
+    const char *why = wheel_meet(in, &a);
 
-    memset(out, 0, sizeof *out);
     if (why)
         return why;
-    d = solve_local(law, in, memory, &a);
-    for (int k = 0; k < a.n; k++)
-        if (a.N[k] > 0) {
-            struct wheel_patch p;
-            add_contact(law, in, &a, k, in->rail_z + in->dip + d, out, &p);
-            keep_patch(out, &p);
-            normal_z += a.c[k].weight * a.N[k] * a.cosg[k];
-        }
-    memory->local = d;
-    memory->creep_z = out->Q - normal_z;
-    out->rail_z = in->rail_z + d;
+    own.time = law->step;
+    own.past = a.d = memory->local;
+    wheel_press(law, &own, memory, &a);
+    wheel_roll(law, &own, &a, memory, out);
+    memory->local = a.d;
     return NULL;
 }

@@ -5,9 +5,12 @@
 #ifndef VX_INTEGRATE_WHEEL_H
 #define VX_INTEGRATE_WHEEL_H
 
+#include "formats/creep.h"
 #include "formats/ctab.h"
 #include "formats/run.h"
+#include "tools/contact/lookup.h"
 #include "tools/creep/fastsim.h"
+#include "tools/creep/friction.h"
 
 enum wheel_normal { WHEEL_HERTZ, WHEEL_LINEAR };
 
@@ -17,8 +20,10 @@ struct wheel_law {
     double stiffness, damping;   /* N/m, N s/m along the normal: WHEEL_LINEAR, a spring in series condensed */
     double hertz_damping;        /* s/m, N = C d^1.5 (1 + hertz_damping d'): 0 is plain Hertz */
     double friction;             /* 1 */
+    struct friction varied;      /* and how it varies by place and slip */
     double step;                 /* s */
     struct fastsim grid;
+    const struct creep *creep;   /* its table instead of FASTSIM, or NULL */
 };
 
 /* Where wheelset and rail are. */
@@ -34,14 +39,17 @@ struct wheel_input {
     double rail_z;               /* m deflection of the rail, from its nodes */
     double rail_v;               /* m/s velocity of the rail's material */
     double rail_slope;           /* 1 dw/dx */
-    double compliance;           /* m/N of the loaded rail element */
-    double dip, dip_slope;       /* m, 1 irregularity: its depth and slope along s */
+    double compliance;           /* m/N of the rail below rail_z, in series with the contact: of the loaded element, and what a step gives */
+    double past, time;           /* m, s: a deflection d there has the rate (d - past)/time */
+    double dip, dip_slope;       /* m, 1 irregularity: how far the rail's top lies below its place, and the slope of that along s */
+    double line, line_slope;     /* m, 1 irregularity: how far the rail lies to the right of its place, and the slope of that */
 };
 
 /* Carried from step to step. */
 struct wheel_memory {
-    double local;                /* m deflection of the rail element under the wheel, between its nodes */
+    double local, before;        /* m deflection of the rail element under the wheel, between its nodes; a step before that */
     double creep_z;              /* N vertical part of the creep force, a step old while the normal force is sought */
+    double Q, Q_before;          /* N on the rail a step ago, and the step before that */
 };
 
 struct wheel_patch {
@@ -67,7 +75,28 @@ struct wheel_output {
  * from there to the rail.  Condensed: k = k1 k2/(k1 + k2) and, at the low frequencies it passes, c = c1 (k2/(k1 + k2))^2. */
 void wheel_condense(struct wheel_law *law, double stiffness, double damping, double series);
 
-/* Fails where the wheel leaves the contact table.  A wheel off its rail has no force and no patch. */
+/* Where a wheel may touch, and how hard it does. */
+struct wheel_approach {
+    int n;
+    struct contact c[CONTACT_MAX];
+    double cosg[CONTACT_MAX];    /* 1 cosine of the contact angle */
+    double reach[CONTACT_MAX];   /* m how far the wheel stands below first touch, d not counted */
+    double rate[CONTACT_MAX];    /* m/s */
+    double N[CONTACT_MAX];       /* N of the whole contact; its share is weight N */
+    double d;                    /* m deflection of what is in series with the contact */
+};
+
+/* The contacts of the wheel, in three stages.  First by the table; fails where the wheel leaves it. */
+const char *wheel_meet(const struct wheel_input *in, struct wheel_approach *a);
+
+/* Normal forces, with d sought from a->d on; rail_z, rail_v and rail_slope may have changed since.  Returns Q. */
+double wheel_press(const struct wheel_law *law, const struct wheel_input *in, const struct wheel_memory *memory, struct wheel_approach *a);
+
+/* Creep forces, and all of out; memory->creep_z follows.  A wheel off its rail has no force and no patch. */
+void wheel_roll(const struct wheel_law *law, const struct wheel_input *in, const struct wheel_approach *a, struct wheel_memory *memory,
+                struct wheel_output *out);
+
+/* The three together, with a backward difference over law->step for the rate of d; memory->local follows. */
 const char *wheel_force(const struct wheel_law *law, const struct wheel_input *in, struct wheel_memory *memory,
                         struct wheel_output *out);
 

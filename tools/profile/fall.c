@@ -4,15 +4,15 @@
 
 #include <math.h>
 
+#include "tools/profile/hermite.h"
+
 #define STEEP 0.5            /* |dz/dy| */
 #define AROUND 100           /* points searched to either side for the same height */
 
 /* Cubic through values f and derivatives d at both ends of an interval x0 .. x1. */
 static double cubic_at(double x0, double x1, const double *f, const double d[2], double x)
 {
-    double h = x1 - x0, t = (x - x0) / h, u = 1 - t;
-
-    return u * u * (1 + 2 * t) * f[0] + t * t * (1 + 2 * u) * f[1] + t * u * h * (u * d[0] - t * d[1]);
+    return hermite_at(f[0], d[0], f[1], d[1], x1 - x0, (x - x0) / (x1 - x0)).z;
 }
 
 /* The interval of y, from *at on; 0 beside the outline. */

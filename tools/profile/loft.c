@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "formats/reason.h"
+#include "tools/profile/hermite.h"
 
 #define MOTION_STEP 1e-3     /* m, along the curve */
 #define OVERSHOOT 1e-5       /* m, of a line beyond its sections */
@@ -118,15 +119,16 @@ static void line_slope(const struct loft *l, int64_t i, double at, double slope[
 static void line_point(const struct loft *l, int64_t i, double a, double b, double s, double p[2], double slope[2])
 {
     const struct loft_section *one = &l->section[i], *two = one + 1;
-    double h = two->station - one->station, t = (s - one->station) / h, u = 1 - t, pa[2], pb[2], sa[2], sb[2];
+    double h = two->station - one->station, t = (s - one->station) / h, pa[2], pb[2], sa[2], sb[2];
 
     curve_point(one->curve, a, pa);
     curve_point(two->curve, b, pb);
     line_slope(l, i, a, sa);
     line_slope(l, i + 1, b, sb);
     for (int d = 0; d < 2; d++) {
-        p[d] = u * u * (1 + 2 * t) * pa[d] + t * t * (1 + 2 * u) * pb[d] + h * t * u * (u * sa[d] - t * sb[d]);
-        slope[d] = 6 * t * u * (pb[d] - pa[d]) / h + u * (1 - 3 * t) * sa[d] + t * (1 - 3 * u) * sb[d];
+        struct hermite at = hermite_at(pa[d], sa[d], pb[d], sb[d], h, t);
+        p[d] = at.z;
+        slope[d] = at.slope;
     }
 }
 

@@ -15,7 +15,7 @@
 
 #include "formats/reason.h"
 #include "tools/receptance/direct.h"
-#include "tools/receptance/modes.h"
+#include "tools/receptance/kind.h"
 
 static const double TOLERANCE = 1e-12;         /* of the Ritz values */
 static const double SLOW = 2 * 3.14159265358979323846;   /* 1/s, least size of sigma */
@@ -187,7 +187,7 @@ static const char *keep(struct mod *m, const struct arnoldi *a, const int64_t *o
         frequency[i] = cabs(s) / (2 * M_PI);
         damping[i] = -creal(s) / cabs(s);
         scale_shape(a->track, s, a->v + order[i] * a->n, &shape[i * dofs], &imaginary[i * dofs]);
-        modes_name(a->track, &shape[i * dofs], name[i]);
+        kind_name(a->track, &shape[i * dofs], name[i]);
     }
     m->store = frequency;
     m->frequency = frequency;

@@ -4,7 +4,6 @@
 #include "tools/receptance/modes.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -13,6 +12,7 @@
 
 #include "formats/reason.h"
 #include "tools/receptance/damping.h"
+#include "tools/receptance/kind.h"
 
 static const double TOLERANCE = 1e-13;     /* of the Ritz values */
 enum { RESTARTS = 3000, BASIS_LEAST = 20 };
@@ -136,20 +136,6 @@ static const char *extract(struct lanczos *a, double sigma, double *lambda, doub
     return info == 0 ? NULL : reason("ARPACK gave no modes (info %d)", (int)info);
 }
 
-void modes_name(const struct trk *t, const double *x, char name[32])
-{
-    double left = 0, right = 0, both = 0;
-
-    for (int64_t i = 0; i < t->nodes; i++) {
-        const double l = x[t->node_dof[i]], r = x[t->node_dof[i] + 2];
-        left += l * l;
-        right += r * r;
-        both += l * r;
-    }
-    const double alike = both / sqrt(left * right);
-    snprintf(name, 32, "%s", alike > 0.9 ? "in phase" : alike < -0.9 ? "antiphase" : "");
-}
-
 /* The k-th mode into place `to` of the arrays of *m: largest motion positive. */
 static void take(const struct trk *t, const double *x, double lambda, double *frequency, double *shape, char name[32])
 {
@@ -161,7 +147,7 @@ static void take(const struct trk *t, const double *x, double lambda, double *fr
     for (int64_t i = 0; i < t->dofs; i++)
         shape[i] = most < 0 ? -x[i] : x[i];
     *frequency = sqrt(fmax(lambda, 0)) / (2 * M_PI);
-    modes_name(t, shape, name);
+    kind_name(t, shape, name);
 }
 
 static const char *find(struct mod *m, const struct trk *t, double sigma, double *lambda, double *shape)

@@ -9,7 +9,4 @@
  * unit modal mass.  n is at most half the degrees of freedom.  mod_free them. */
 const char *modes_track(struct mod *m, const struct trk *t, int64_t n, double near);
 
-/* What an engineer calls the motion x [dofs]: in phase where the rails move alike, antiphase where against each other, else nothing. */
-void modes_name(const struct trk *t, const double *x, char name[32]);
-
 #endif

@@ -65,6 +65,7 @@ static void name(const struct place *p, struct frf_place *to)
     snprintf(to->on, sizeof to->on, "%s", place_on[p->on]);
     snprintf(to->at, sizeof to->at, "%s", place_at[p->at]);
     to->x = p->x;
+    to->lateral = p->lateral;
 }
 
 const char *sweep_places(struct frf *r, const struct trk *t, const struct place *force, const struct place *motion, int quantity,
@@ -77,7 +78,7 @@ const char *sweep_places(struct frf *r, const struct trk *t, const struct place 
     if (!(steps >= 0) || steps >= FREQUENCIES_MOST)
         return reason("from %g to %g Hz in steps of %g Hz is not a range of frequencies", s->from, s->to, s->step);
     if (motion->on == PLACE_BOTH)
-        place_find(&seen, t, PLACE_LEFT, motion->at, motion->x);
+        (motion->lateral ? place_find_lateral : place_find)(&seen, t, PLACE_LEFT, motion->at, motion->x);
     const int64_t n = (int64_t)steps + 1;
     double *frequency = calloc((size_t)n, 5 * sizeof *frequency);
     if (!frequency)

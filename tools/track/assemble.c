@@ -7,6 +7,7 @@
 #include <math.h>
 
 #include "formats/reason.h"
+#include "tools/track/assemble_spatial.h"
 #include "tools/track/rails.h"
 
 static const double GUIDE = 1e6;       /* Hz, natural frequency of what is held, beyond all that a track is asked for */
@@ -105,7 +106,14 @@ static int rolls(const struct trk *t, int64_t sleeper)
     return t->sleeper_inertia[sleeper] > 0;
 }
 
-/* pad [2][sleepers] and ballast [3][sleepers]: stiffness for K, damping for C. */
+void assemble_ballast(const struct trk *t, double *x, int64_t spring, double k)
+{
+    const int64_t s = spring % t->sleepers, z = t->sleeper_dof[s];
+
+    add_spring(&(struct matrix){t->Ap, t->Ai, x}, k, 2, (int64_t[]){z, z + 1}, (double[]){1, rolls(t, s) ? t->ballast_y[spring] : 0});
+}
+
+/* pad [2][sleepers] and ballast [3][sleepers]: stiffness for K, damping for C.  Ballast that does not touch has no part. */
 static void add_supports(const struct trk *t, const struct matrix *X, const double *pad, const double *ballast)
 {
     for (int64_t s = 0; s < t->sleepers; s++) {
@@ -116,8 +124,8 @@ static void add_supports(const struct trk *t, const struct matrix *X, const doub
                        (double[]){1, -1, -arm});                   /* e = w - (z + arm roll) */
         }
         for (int b = 0; b < TRK_BALLAST; b++)
-            add_spring(X, ballast[b * t->sleepers + s], 2, (int64_t[]){z, roll},
-                       (double[]){1, rolls(t, s) ? t->ballast_y[b * t->sleepers + s] : 0});
+            if (t->ballast_state[b * t->sleepers + s] != TRK_OPEN)
+                assemble_ballast(t, X->x, b * t->sleepers + s, ballast[b * t->sleepers + s]);
     }
 }
 
@@ -154,6 +162,8 @@ static void add_masses(const struct trk *t, const struct matrix *M)
 
 const char *assemble_track(struct trk *t)
 {
+    if (trk_is_spatial(t))
+        return assemble_spatial(t);
     const int64_t entries = count_entries(t);
     int64_t *Ap = trk_room(t, t->dofs + 1, sizeof *Ap), *Ai = trk_room(t, entries, sizeof *Ai);
     double *K = trk_room(t, entries, sizeof *K), *C = trk_room(t, entries, sizeof *C), *M = trk_room(t, entries, sizeof *M);
@@ -161,13 +171,13 @@ const char *assemble_track(struct trk *t)
     if (!Ap || !Ai || !K || !C || !M)
         return REASON_MEMORY;
     fill_pattern(t, Ap, Ai);
+    t->Ap = Ap;
+    t->Ai = Ai;
     add_beams(t, &(struct matrix){Ap, Ai, K}, &(struct matrix){Ap, Ai, M});
     add_supports(t, &(struct matrix){Ap, Ai, K}, t->pad_k, t->ballast_k);
     add_supports(t, &(struct matrix){Ap, Ai, C}, t->pad_c, t->ballast_c);
     hold(t, &(struct matrix){Ap, Ai, K}, &(struct matrix){Ap, Ai, M});
     add_masses(t, &(struct matrix){Ap, Ai, M});
-    t->Ap = Ap;
-    t->Ai = Ai;
     t->Kx = K;
     t->Cx = C;
     t->Mx = M;

@@ -69,18 +69,23 @@ static const char *check_residual(struct cholesky *s)
     return why;
 }
 
-static const char *factor(struct cholesky *s)
+const char *cholesky_again(struct cholesky *s)
 {
     cholmod_sparse K = matrix(s->track);
 
-    s->factor = cholmod_l_analyze(&K, s->common);
-    if (!s->factor)
-        return REASON_MEMORY;
     cholmod_l_factorize(&K, s->factor, s->common);
     if (((cholmod_common *)s->common)->status < CHOLMOD_OK)
         return reason("factoring the track's stiffness matrix failed (CHOLMOD status %d)", ((cholmod_common *)s->common)->status);
     const char *why = check_pivots(s->factor);
     return why ? why : check_residual(s);
+}
+
+static const char *factor(struct cholesky *s)
+{
+    cholmod_sparse K = matrix(s->track);
+
+    s->factor = cholmod_l_analyze(&K, s->common);
+    return s->factor ? cholesky_again(s) : REASON_MEMORY;
 }
 
 const char *cholesky_new(struct cholesky *s, const struct trk *t)

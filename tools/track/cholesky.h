@@ -14,6 +14,9 @@ struct cholesky {
 /* Factors K; fails where K is not positive definite (with the degree of freedom) or badly conditioned. */
 const char *cholesky_new(struct cholesky *s, const struct trk *t);
 
+/* The same after K has changed in place, on its old pattern. */
+const char *cholesky_again(struct cholesky *s);
+
 /* u, f: [dofs] m and rad, N and N m; u may be f. */
 const char *cholesky_solve(struct cholesky *s, const double *f, double *u);
 

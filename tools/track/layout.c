@@ -5,25 +5,17 @@
 #include <string.h>
 
 #include "formats/reason.h"
+#include "tools/track/along.h"
+#include "tools/track/cant.h"
 #include "tools/track/pads.h"
 #include "tools/track/rails.h"
+#include "tools/track/spatial.h"
 
 static const double WHOLE = 1e-6;      /* length / spacing may differ this much from a whole number */
 
 static double *numbers(struct trk *t, int64_t n)
 {
     return trk_room(t, n, sizeof(double));
-}
-
-/* Sleeper number as a continuous function of the station: 1 in the middle of the first bay from first_sleeper. */
-static double number_at(const struct trk_text *in, double x)
-{
-    return (x - in->first_sleeper) / in->sleeper.spacing + 0.5;
-}
-
-static double at_station(const struct yaml_table *table, const struct trk_text *in, double x)
-{
-    return yaml_table_at(table, x, number_at(in, x));
 }
 
 static const char *lay_sleepers(struct trk *t, const struct trk_text *in)
@@ -37,10 +29,10 @@ static const char *lay_sleepers(struct trk *t, const struct trk_text *in)
     for (int64_t k = 0; k < n; k++) {
         node[k] = k * in->rail.elements_per_bay;
         x[k] = t->x[node[k]];
-        number[k] = (int64_t)floor(number_at(in, x[0]) + 0.5 + WHOLE) + k;
-        mass[k] = at_station(&in->sleeper.mass, in, x[k]);
-        inertia[k] = in->sleeper.roll == TRK_TEXT_HELD ? 0 : at_station(&in->sleeper.roll_inertia, in, x[k]);
-        y[k] = at_station(&in->sleeper.centre, in, x[k]);
+        number[k] = (int64_t)floor(along_number(in, x[0]) + 0.5 + WHOLE) + k;
+        mass[k] = along_at(&in->sleeper.mass, in, x[k]);
+        inertia[k] = in->sleeper.roll == TRK_TEXT_HELD ? 0 : along_at(&in->sleeper.roll_inertia, in, x[k]);
+        y[k] = along_at(&in->sleeper.centre, in, x[k]);
     }
     t->sleeper_x = x;
     t->sleeper_node = node;
@@ -55,7 +47,7 @@ static const char *lay_sleepers(struct trk *t, const struct trk_text *in)
 static const char *check_centres(const struct trk *t, const struct trk_text *in)
 {
     for (int64_t s = 0; s < t->sleepers; s++) {
-        const double half = at_station(&in->sleeper.length, in, t->sleeper_x[s]) / 2;
+        const double half = along_at(&in->sleeper.length, in, t->sleeper_x[s]) / 2;
         for (int rail = 0; rail < TRK_RAILS; rail++) {
             const double y = (rail == TRK_LEFT ? -0.5 : 0.5) * t->rail_spacing - t->sleeper_y[s];
             if (fabs(y) > half)
@@ -74,39 +66,62 @@ static double ballast_part(const struct trk_text *in, int spring, double total)
     return total / TRK_BALLAST;
 }
 
+/* The spring's own value at x where it has one, else `rest`. */
+static double own_at(const struct yaml_table *own, const struct trk_text *in, double x, double rest)
+{
+    return own->n ? along_at(own, in, x) : rest;
+}
+
 static const char *lay_ballast(struct trk *t, const struct trk_text *in)
 {
     const int64_t n = t->sleepers;
+    const struct trk_text_spring *own[TRK_BALLAST] = {&in->ballast.left, &in->ballast.middle, &in->ballast.right};
     double *k = numbers(t, TRK_BALLAST * n), *c = numbers(t, TRK_BALLAST * n), *y = numbers(t, TRK_BALLAST * n);
+    double *gap = numbers(t, TRK_BALLAST * n);
+    int64_t *state = trk_room(t, TRK_BALLAST * n, sizeof *state);
 
-    if (!k || !c || !y)
+    if (!k || !c || !y || !gap || !state)
         return REASON_MEMORY;
     for (int64_t s = 0; s < n; s++) {
-        double x = t->sleeper_x[s], length = at_station(&in->sleeper.length, in, x), arm = length / 2 - in->ballast.edge;
+        double x = t->sleeper_x[s], length = along_at(&in->sleeper.length, in, x), arm = length / 2 - in->ballast.edge;
         if (!(arm > 0))
             return reason("ballast.edge: sleeper %lld of length %g m is too short for springs %g m from its ends",
                           (long long)t->sleeper_number[s], length, in->ballast.edge);
         for (int b = 0; b < TRK_BALLAST; b++) {
-            k[b * n + s] = ballast_part(in, b, at_station(&in->ballast.stiffness, in, x));
-            c[b * n + s] = ballast_part(in, b, at_station(&in->ballast.damping, in, x));
-            y[b * n + s] = (b - 1) * arm;
+            const int64_t i = b * n + s;
+            k[i] = own_at(&own[b]->stiffness, in, x, ballast_part(in, b, along_at(&in->ballast.stiffness, in, x)));
+            c[i] = own_at(&own[b]->damping, in, x, ballast_part(in, b, along_at(&in->ballast.damping, in, x)));
+            y[i] = (b - 1) * arm;
+            gap[i] = own_at(&own[b]->gap, in, x, along_at(&in->ballast.gap, in, x));
+            if (in->model == TRK_TEXT_MOVING_MASS && gap[i] > 0)
+                return "ballast.gap: a moving mass has no void beneath it";
+            state[i] = (in->ballast.tension || in->model == TRK_TEXT_MOVING_MASS) && !(gap[i] > 0) ? TRK_BONDED : TRK_CLOSED;
         }
     }
     t->ballast_k = k;
     t->ballast_c = c;
     t->ballast_y = y;
+    t->ballast_gap = gap;
+    t->ballast_state = state;
     return NULL;
 }
 
 static const char *lay_lateral(struct trk *t, const struct trk_text *in)
 {
     double *m = numbers(t, 1), *k = numbers(t, 1), *c = numbers(t, 1);
+    double *ground_k = numbers(t, 1), *ground_c = numbers(t, 1), *running = numbers(t, 1);
 
-    if (!m || !k || !c)
+    if (!m || !k || !c || !ground_k || !ground_c || !running)
         return REASON_MEMORY;
     *m = in->rail.lateral.mass;
     *k = in->rail.lateral.stiffness;
     *c = in->rail.lateral.damping;
+    *ground_k = in->sleeper.lateral.stiffness;
+    *ground_c = in->sleeper.lateral.damping;
+    *running = in->rail.running_mass;
+    t->sleeper_lateral_k = ground_k;
+    t->sleeper_lateral_c = ground_c;
+    t->running_m = running;
     t->lateral_m = m;
     t->lateral_k = k;
     t->lateral_c = c;
@@ -156,24 +171,30 @@ static const char *lay_curve(struct trk *t, const struct trk_text *in)
     return NULL;
 }
 
-/* [wl tl wr tr] at each node, then [z roll] of the sleeper below it. */
+/* Of both rails at each node, of the check rail where it has a node there, then of the sleeper below it. */
 static const char *number_dofs(struct trk *t)
 {
     int64_t *node = trk_room(t, t->nodes, sizeof *node), *sleeper = trk_room(t, t->sleepers, sizeof *sleeper);
+    int64_t *check = trk_room(t, t->check_nodes, sizeof *check);
     int64_t dof = 0;
 
-    if (!node || !sleeper)
+    if (!node || !sleeper || !check)
         return REASON_MEMORY;
-    for (int64_t i = 0, k = 0; i < t->nodes; i++) {
+    for (int64_t i = 0, k = 0, c = 0; i < t->nodes; i++) {
         node[i] = dof;
-        dof += 4;
+        dof += TRK_RAILS * t->rail_dofs;
+        if (c < t->check_nodes && t->check_node[c] == i) {
+            check[c++] = dof;
+            dof += t->rail_dofs;
+        }
         if (k < t->sleepers && t->sleeper_node[k] == i) {
             sleeper[k++] = dof;
-            dof += 2;
+            dof += t->sleeper_dofs;
         }
     }
     t->node_dof = node;
     t->sleeper_dof = sleeper;
+    t->check_dof = check;
     t->dofs = dof;
     return NULL;
 }
@@ -186,6 +207,8 @@ const char *layout_track(struct trk *t, const struct trk_text *in)
     memset(t, 0, sizeof *t);
     strncpy(t->name, in->name, sizeof t->name - 1);
     t->rail_spacing = in->rail_spacing;
+    t->rail_dofs = in->dofs == TRK_TEXT_SPATIAL ? TRK_SPATIAL_RAIL : TRK_VERTICAL_RAIL;
+    t->sleeper_dofs = in->dofs == TRK_TEXT_SPATIAL ? TRK_SPATIAL_SLEEPER : TRK_VERTICAL_SLEEPER;
     t->sleepers = (int64_t)floor(bays + 0.5);
     t->nodes = (t->sleepers - 1) * in->rail.elements_per_bay + 1;
     if (in->model == TRK_TEXT_MOVING_MASS && fabs(bays - 1) > WHOLE)
@@ -193,7 +216,10 @@ const char *layout_track(struct trk *t, const struct trk_text *in)
     if (in->model == TRK_TEXT_FIXED && (t->sleepers < 2 || fabs(bays - (double)t->sleepers) > WHOLE))
         return reason("length: %g m is not a whole number, two or more, of sleeper spacings of %g m", in->length, in->sleeper.spacing);
     if ((why = rails_lay(t, in)) || (why = lay_sleepers(t, in)) || (why = check_centres(t, in)) || (why = lay_ballast(t, in)) || (why = pads_lay(t, in)) ||
-        (why = lay_lateral(t, in)) || (why = lay_check_rail(t, in)) || (why = lay_curve(t, in)))
+        (why = lay_lateral(t, in)) || (why = lay_check_rail(t, in)) || (why = lay_curve(t, in)) ||
+        (why = cant_lay(t, in)))
+        return why;
+    if (trk_is_spatial(t) && (why = spatial_lay(t, in)))
         return why;
     return number_dofs(t);
 }

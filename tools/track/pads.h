@@ -5,7 +5,7 @@
 #include "formats/trk.h"
 #include "formats/trk_text.h"
 
-/* Fills pad_k, pad_c, pad_zone, zones and zone_name; the sleepers are laid. */
+/* Fills pad_k, pad_c, pad_zone, zones and zone_name; sleepers and ballast are laid. */
 const char *pads_lay(struct trk *t, const struct trk_text *in);
 
 #endif

@@ -40,7 +40,51 @@ void point_at(struct point *p, const struct trk *t, double x)
 void point_dofs(const struct point *p, const struct trk *t, int rail, int64_t dof[4])
 {
     for (int end = 0; end < 2; end++) {
-        dof[2 * end] = t->node_dof[t->nodes > 1 ? p->node + end : 0] + 2 * rail;
+        dof[2 * end] = trk_rail_dof(t, rail, t->nodes > 1 ? p->node + end : 0);
         dof[2 * end + 1] = dof[2 * end] + 1;
     }
+}
+
+/* y + height twist at a from the near end of an element of two planes; twist is straight between the ends, and with
+ * these held a moment twists it by a (L - a)/(GJ L). */
+static void lay_lateral(const struct beam *b, double torsion, double a, double height, int64_t near, int64_t far, int64_t *dof, double *share,
+                        double *held)
+{
+    const double r = a / b->length;
+    double N[4];
+
+    beam_shape(b, a, N);
+    for (int end = 0; end < 2; end++) {
+        const int64_t w = end ? far : near;
+        dof[3 * end] = w + TRK_Y;
+        dof[3 * end + 1] = w + TRK_YAW;
+        dof[3 * end + 2] = w + TRK_TWIST;
+        share[3 * end] = N[2 * end];
+        share[3 * end + 1] = -N[2 * end + 1];                /* yaw = dy/dx */
+        share[3 * end + 2] = height * (end ? r : 1 - r);
+    }
+    *held = beam_compliance(b, a) + height * height * a * (b->length - a) / (torsion * b->length);
+}
+
+void point_lateral(const struct point *p, const struct trk *t, int rail, double height, int64_t *dof, double *share, double *held)
+{
+    const struct beam b = rails_lateral_beam(t, rail, p->node);
+
+    lay_lateral(&b, t->rail_torsion[rail * (t->nodes - 1) + p->node], p->x - t->x[p->node], height, trk_rail_dof(t, rail, p->node),
+                trk_rail_dof(t, rail, p->node + 1), dof, share, held);
+}
+
+int point_check(const struct trk *t, double x, double height, int64_t *dof, double *share, double *held)
+{
+    const int64_t n = t->check_nodes;
+    int64_t i = 0;
+
+    if (n == 0 || x < t->x[t->check_node[0]] || x > t->x[t->check_node[n - 1]])
+        return 0;
+    while (i < n - 2 && x >= t->x[t->check_node[i + 1]])
+        i++;
+    const double from = t->x[t->check_node[i]];
+    const struct beam b = {.length = t->x[t->check_node[i + 1]] - from, .bending = t->check_bending[1]};
+    lay_lateral(&b, *t->check_torsion, x - from, height, t->check_dof[i], t->check_dof[i + 1], dof, share, held);
+    return 1;
 }

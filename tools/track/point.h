@@ -1,6 +1,6 @@
 /* A point on the rails between two nodes: where a force enters and a deflection is read.
  *
- * x forward, z down; deflection and force are positive down. */
+ * x forward, y to the right, z down; deflection and force are positive down, or sideways to the right. */
 #ifndef VX_TRACK_POINT_H
 #define VX_TRACK_POINT_H
 
@@ -8,6 +8,7 @@
 
 enum { EXCITE_LEFT, EXCITE_RIGHT, EXCITE_BOTH };   /* the rails loaded */
 enum { AT_SLEEPER, AT_MIDSPAN };
+enum { POINT_LATERAL = 6 };                        /* degrees of freedom that a lateral force loads: y, yaw and twist near and far */
 
 struct point {
     double x;                        /* m */
@@ -24,6 +25,13 @@ void point_at(struct point *p, const struct trk *t, double x);
 
 /* dof [4]: the degrees of freedom that shape belongs to. */
 void point_dofs(const struct point *p, const struct trk *t, int rail, int64_t dof[4]);
+
+/* dof, share [POINT_LATERAL]: of the motion sideways at this height (m) above the rail's centroid, and of the load of a force there; *held
+ * (m/N) is what the element gives with held ends.  A spatial track alone has it. */
+void point_lateral(const struct point *p, const struct trk *t, int rail, double height, int64_t *dof, double *share, double *held);
+
+/* The same of the check rail, as a beam, at station x.  Returns 0 where it does not run. */
+int point_check(const struct trk *t, double x, double height, int64_t *dof, double *share, double *held);
 
 /* Whether this rail is loaded. */
 static inline int point_loads(int excite, int rail)

@@ -6,28 +6,46 @@
 #include <stdlib.h>
 
 #include "formats/reason.h"
+#include "tools/track/along.h"
 
 static double *numbers(struct trk *t, int64_t n)
 {
     return trk_room(t, n, sizeof(double));
 }
 
+/* What the rail has of its own, or that of both. */
+static const struct yaml_table *own_or_both(const struct yaml_table *own, const struct yaml_table *both)
+{
+    return own->n ? own : both;
+}
+
+static const struct trk_text_own *own_of(const struct trk_text *in, int rail)
+{
+    return rail == TRK_LEFT ? &in->rail.left : &in->rail.right;
+}
+
 static const struct yaml_table *bending_of(const struct trk_text *in, int rail)
 {
-    const struct yaml_table *own = rail == TRK_LEFT ? &in->rail.left.bending_stiffness : &in->rail.right.bending_stiffness;
-
-    return own->n ? own : &in->rail.bending_stiffness;
+    return own_or_both(&own_of(in, rail)->bending_stiffness, &in->rail.bending_stiffness);
 }
 
-/* Sleeper number 1 stands in the middle of the first bay from first_sleeper. */
-static double station_of(const struct trk_text *in, const struct yaml_table *table, double at)
+/* Mean over a < x < b, exact: trapezia between the knots. */
+static double mean(const struct trk_text *in, const struct yaml_table *table, double a, double b)
 {
-    return table->by_number ? in->first_sleeper + (at - 0.5) * in->sleeper.spacing : at;
-}
+    double x = a, value = along_at(table, in, a), sum = 0;
 
-static double bending_at(const struct trk_text *in, int rail, double x)
-{
-    return yaml_table_at(bending_of(in, rail), x, (x - in->first_sleeper) / in->sleeper.spacing + 0.5);
+    if (table->n == 1)
+        return value;
+    for (int64_t k = 0; k <= table->n; k++) {
+        const double next = k < table->n ? along_station(table, in, table->at[k]) : b;
+        if (next <= x || next > b)
+            continue;
+        const double there = along_at(table, in, next);
+        sum += 0.5 * (value + there) * (next - x);
+        x = next;
+        value = there;
+    }
+    return sum / (b - a);
 }
 
 static int by_station(const void *a, const void *b)
@@ -36,10 +54,9 @@ static int by_station(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Both rails over the knots of both. */
-static const char *lay_bending(struct trk *t, const struct trk_text *in)
+const char *rails_lay_bending(struct trk *t, const struct trk_text *in, const struct yaml_table *const of[TRK_RAILS], int64_t *knots,
+                              const double **at, const double **EI)
 {
-    const struct yaml_table *of[TRK_RAILS] = {bending_of(in, TRK_LEFT), bending_of(in, TRK_RIGHT)};
     const int64_t most = of[0]->n + of[1]->n;
     double *x = numbers(t, most), *bending = numbers(t, TRK_RAILS * most);
     int64_t n = 0;
@@ -48,73 +65,89 @@ static const char *lay_bending(struct trk *t, const struct trk_text *in)
         return REASON_MEMORY;
     for (int rail = 0; rail < TRK_RAILS; rail++)
         for (int64_t k = 0; k < of[rail]->n; k++)
-            x[n++] = of[rail]->n > 1 ? station_of(in, of[rail], of[rail]->at[k]) : in->from;
+            x[n++] = of[rail]->n > 1 ? along_station(of[rail], in, of[rail]->at[k]) : in->from;
     qsort(x, (size_t)n, sizeof *x, by_station);
-    t->knots = 1;
+    *knots = 1;
     for (int64_t k = 1; k < n; k++)
-        if (x[k] > x[t->knots - 1])
-            x[t->knots++] = x[k];
-    for (int64_t k = 0; k < TRK_RAILS * t->knots; k++)
-        bending[k] = bending_at(in, (int)(k / t->knots), x[k % t->knots]);
-    t->bending_x = x;
-    t->bending = bending;
+        if (x[k] > x[*knots - 1])
+            x[(*knots)++] = x[k];
+    for (int64_t k = 0; k < TRK_RAILS * *knots; k++)
+        bending[k] = along_at(of[k / *knots], in, x[k % *knots]);
+    *at = x;
+    *EI = bending;
     return NULL;
 }
 
-/* Lumped: all mass at the nodes.  Consistent: along the elements but for the half bays beyond the ends. */
-static const char *lay_masses(struct trk *t, const struct trk_text *in, double h)
+/* What stands at the nodes x [nodes] of a rail: all mass of the lumped model, else that of the half bays beyond the ends.  A lumped node
+ * carries what is nearer to it than to another, and of a moving mass a bay. */
+static void lay_nodes(const struct trk_text *in, int rail, int64_t n, const double *x, double *mass, double *inertia)
 {
-    const int64_t n = t->nodes;
+    const struct yaml_table *of = own_or_both(&own_of(in, rail)->mass, &in->rail.mass);
+    const struct yaml_table *pitch = own_or_both(&own_of(in, rail)->pitch_inertia, &in->rail.pitch_inertia);
+    const double bay = in->sleeper.spacing, h = bay / (double)in->rail.elements_per_bay;
     const int moving = in->model == TRK_TEXT_MOVING_MASS, lumped = moving || in->rail.mass_model == TRK_TEXT_LUMPED;
-    double *mass = numbers(t, TRK_RAILS * n), *inertia = numbers(t, TRK_RAILS * n);
-    double *density = numbers(t, TRK_RAILS * (n - 1)), *rotary = numbers(t, TRK_RAILS * (n - 1));
 
-    if (!mass || !inertia || !density || !rotary)
-        return REASON_MEMORY;
-    for (int64_t k = 0; k < TRK_RAILS * n; k++) {
-        const int end = k % n == 0 || k % n == n - 1;
+    for (int64_t i = 0; i < n; i++) {
+        const int first = i == 0, last = i == n - 1;
+        const double behind = first ? bay / 2 : h / 2, ahead = last ? bay / 2 : h / 2;
         if (lumped)
-            mass[k] = in->rail.mass * (moving ? in->sleeper.spacing : end ? (h + in->sleeper.spacing) / 2 : h);
-        else
-            mass[k] = end ? in->rail.mass * (in->sleeper.spacing / 2) : 0;
-        inertia[k] = lumped && !moving ? in->rail.pitch_inertia : 0;
+            mass[i] = mean(in, of, x[i] - behind, x[i] + ahead) * (moving ? bay : first || last ? (h + bay) / 2 : h);
+        else if (first || last)
+            mass[i] = mean(in, of, first ? x[i] - behind : x[i], first ? x[i] : x[i] + ahead) * (bay / 2);
+        inertia[i] = lumped && !moving ? along_at(pitch, in, x[i]) : 0;
     }
-    for (int64_t k = 0; k < TRK_RAILS * (n - 1) && !lumped; k++) {
-        density[k] = in->rail.mass;
-        rotary[k] = in->rail.beam == TRK_TEXT_TIMOSHENKO ? in->rail.rotary_inertia : 0;
+}
+
+/* What lies along the elements between them, each with the mean of its own: density and rotary stay zero of a lumped rail. */
+static void lay_elements(const struct trk_text *in, int rail, int64_t n, const double *x, double *density, double *rotary, double *shear)
+{
+    const struct trk_text_own *own = own_of(in, rail);
+    const int consistent = in->rail.mass_model == TRK_TEXT_CONSISTENT, timoshenko = in->rail.beam == TRK_TEXT_TIMOSHENKO;
+
+    for (int64_t i = 0; i < n - 1; i++) {
+        if (consistent)
+            density[i] = mean(in, own_or_both(&own->mass, &in->rail.mass), x[i], x[i + 1]);
+        if (consistent && timoshenko)
+            rotary[i] = mean(in, own_or_both(&own->rotary_inertia, &in->rail.rotary_inertia), x[i], x[i + 1]);
+        if (timoshenko)
+            shear[i] = 1 / mean(in, own_or_both(&own->shear_stiffness, &in->rail.shear_stiffness), x[i], x[i + 1]);
     }
-    t->rail_mass = mass;
-    t->rail_inertia = inertia;
-    t->rail_density = density;
-    t->rail_rotary = rotary;
-    return NULL;
 }
 
 const char *rails_lay(struct trk *t, const struct trk_text *in)
 {
+    const int64_t n = t->nodes;
     const double h = in->sleeper.spacing / (double)in->rail.elements_per_bay;
-    double *x = numbers(t, t->nodes), *shear = numbers(t, TRK_RAILS * (t->nodes - 1));
-    const char *why = x && shear ? lay_bending(t, in) : REASON_MEMORY;
+    double *x = numbers(t, n), *mass = numbers(t, TRK_RAILS * n), *inertia = numbers(t, TRK_RAILS * n);
+    double *density = numbers(t, TRK_RAILS * (n - 1)), *rotary = numbers(t, TRK_RAILS * (n - 1)), *shear = numbers(t, TRK_RAILS * (n - 1));
+    const struct yaml_table *const bending[TRK_RAILS] = {bending_of(in, TRK_LEFT), bending_of(in, TRK_RIGHT)};
 
-    if (why || (why = lay_masses(t, in, h)))
-        return why;
-    for (int64_t i = 0; i < t->nodes; i++)
+    if (!x || !mass || !inertia || !density || !rotary || !shear)
+        return REASON_MEMORY;
+    for (int64_t i = 0; i < n; i++)
         x[i] = in->from + in->sleeper.spacing / 2 + (double)i * h;
-    for (int64_t k = 0; k < TRK_RAILS * (t->nodes - 1) && in->rail.beam == TRK_TEXT_TIMOSHENKO; k++)
-        shear[k] = 1 / in->rail.shear_stiffness;
+    for (int rail = 0; rail < TRK_RAILS; rail++) {
+        const int64_t at = rail * n, behind = rail * (n - 1);
+        lay_nodes(in, rail, n, x, mass + at, inertia + at);
+        lay_elements(in, rail, n, x, density + behind, rotary + behind, shear + behind);
+    }
     t->x = x;
+    t->rail_mass = mass;
+    t->rail_inertia = inertia;
+    t->rail_density = density;
+    t->rail_rotary = rotary;
     t->rail_shear = shear;
-    return NULL;
+    return rails_lay_bending(t, in, bending, &t->knots, &t->bending_x, &t->bending);
 }
 
-/* The first knot beyond x, or t->knots. */
-static int64_t knot_beyond(const struct trk *t, double x)
+/* The first of the knots x beyond this station, or how many there are. */
+static int64_t knot_beyond(int64_t knots, const double *x, double station)
 {
-    int64_t low = 0, high = t->knots;
+    int64_t low = 0, high = knots;
 
     while (low < high) {
         const int64_t middle = (low + high) / 2;
-        if (t->bending_x[middle] > x)
+        if (x[middle] > station)
             high = middle;
         else
             low = middle + 1;
@@ -123,16 +156,36 @@ static int64_t knot_beyond(const struct trk *t, double x)
 }
 
 /* The knots from the last one not beyond the near end to the first one not before the far end, and whether EI is one over them. */
-struct beam rails_beam(const struct trk *t, int rail, int64_t i)
+static struct beam beam_behind(const struct trk *t, int64_t i, int64_t knots, const double *x, const double *EI)
 {
-    const int64_t k = rail * (t->nodes - 1) + i, beyond = knot_beyond(t, t->x[i]), first = beyond ? beyond - 1 : 0;
-    const double *x = t->bending_x, *EI = t->bending + rail * t->knots;
+    const int64_t beyond = knot_beyond(knots, x, t->x[i]), first = beyond ? beyond - 1 : 0;
     int64_t last = first;
     int same = 1;
 
-    while (last < t->knots - 1 && x[last] < t->x[i + 1])
+    while (last < knots - 1 && x[last] < t->x[i + 1])
         same &= EI[++last] == EI[first];
-    return (struct beam){.length = t->x[i + 1] - t->x[i], .from = t->x[i], .bending = same ? EI[first] : 0, .shear = t->rail_shear[k],
-                         .mass = t->rail_density[k], .rotary = t->rail_rotary[k], .knots = last - first + 1, .x = x + first,
-                         .EI = EI + first};
+    return (struct beam){.length = t->x[i + 1] - t->x[i], .from = t->x[i], .bending = same ? EI[first] : 0, .knots = last - first + 1,
+                         .x = x + first, .EI = EI + first};
+}
+
+struct beam rails_beam(const struct trk *t, int rail, int64_t i)
+{
+    const int64_t k = rail * (t->nodes - 1) + i;
+    struct beam b = beam_behind(t, i, t->knots, t->bending_x, t->bending + rail * t->knots);
+
+    b.shear = t->rail_shear[k];
+    b.mass = t->rail_density[k];
+    b.rotary = t->rail_rotary[k];
+    return b;
+}
+
+struct beam rails_lateral_beam(const struct trk *t, int rail, int64_t i)
+{
+    const int64_t k = rail * (t->nodes - 1) + i;
+    struct beam b = beam_behind(t, i, t->lateral_knots, t->lateral_bending_x, t->lateral_bending + rail * t->lateral_knots);
+
+    b.shear = t->rail_lateral_shear[k];
+    b.mass = t->rail_density[k];
+    b.rotary = t->rail_lateral_rotary[k];
+    return b;
 }

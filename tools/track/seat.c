@@ -1,10 +1,10 @@
-/* K u = f with the load spread to the nodes of its element; the deflection under it adds the element's own. */
+/* The load spread to the nodes of its element; the deflection under it adds the element's own. */
 #include "tools/track/seat.h"
 
 #include <stdlib.h>
 
 #include "formats/reason.h"
-#include "tools/track/cholesky.h"
+#include "tools/track/equilibrium.h"
 
 static void spread(const struct trk *t, const struct point *p, int excite, double load, double *f)
 {
@@ -26,7 +26,7 @@ static void take(struct seat *s, const struct trk *t, const struct point *p, int
         s->deflection += p->shape[rail][k] * u[dof[k]];
     for (int64_t i = 0; i < t->sleepers; i++) {
         double arm = (rail == TRK_LEFT ? -0.5 : 0.5) * t->rail_spacing - t->sleeper_y[i];
-        double compression = u[t->node_dof[t->sleeper_node[i]] + 2 * rail] - (u[t->sleeper_dof[i]] + arm * u[t->sleeper_dof[i] + 1]);
+        double compression = u[trk_rail_dof(t, rail, t->sleeper_node[i])] - (u[t->sleeper_dof[i]] + arm * u[t->sleeper_dof[i] + 1]);
         double force = t->pad_k[rail * t->sleepers + i] * compression;
         if (i == 0 || force > s->force) {
             s->force = force;
@@ -38,17 +38,18 @@ static void take(struct seat *s, const struct trk *t, const struct point *p, int
 
 const char *seat_load(struct seat *s, const struct trk *t, const struct point *p, int excite, double load)
 {
-    struct cholesky solver;
-    double *u = calloc((size_t)t->dofs, sizeof *u);
-    const char *why = u ? cholesky_new(&solver, t) : REASON_MEMORY;
+    struct equilibrium rest;
+    double *f = calloc((size_t)t->dofs, sizeof *f), *u = calloc((size_t)t->dofs, sizeof *u);
+    const char *why = f && u ? equilibrium_new(&rest, t, EQUILIBRIUM_GRAVITY) : REASON_MEMORY;
 
     if (!why) {
-        spread(t, p, excite, load, u);
-        why = cholesky_solve(&solver, u, u);
-        cholesky_free(&solver);
+        spread(t, p, excite, load, f);
+        why = equilibrium_add(&rest, f, u);
+        equilibrium_free(&rest);
     }
     if (!why)
         take(s, t, p, point_rail(excite), load, u);
+    free(f);
     free(u);
     return why;
 }

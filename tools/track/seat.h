@@ -1,4 +1,4 @@
-/* What a static load does to the track under it. */
+/* What a static load does to the track under it, beside its own weight. */
 #ifndef VX_TRACK_SEAT_H
 #define VX_TRACK_SEAT_H
 

@@ -13,6 +13,10 @@ struct check {
 
 void check_balance(const struct veh *v, struct check *k);
 
+/* deflection [couplings] m of each stop along its axis, 0 of others, where all bodies but the wheelsets are pushed to the left by a m/s2, as in a
+ * curve to the right: linear, from K, without the stops themselves. */
+const char *check_sideways(const struct veh *v, double a, double *deflection);
+
 /* The first motion that no spring holds, wheelsets held, or that falls over. */
 const char *check_support(const struct veh *v);
 

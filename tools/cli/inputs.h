@@ -1,0 +1,35 @@
+/* The files a case names, or options in their place. */
+#ifndef VX_CLI_INPUTS_H
+#define VX_CLI_INPUTS_H
+
+#include "formats/case_text.h"
+#include "formats/creep.h"
+#include "formats/ctab.h"
+#include "formats/irregularity.h"
+#include "formats/trk.h"
+#include "formats/veh.h"
+#include "tools/cli/cli.h"
+
+/* Go before what the case names; NULL where not given. */
+struct inputs_options {
+    const char *track, *vehicle, *left, *right, *creep;
+    struct cli_list set;             /* KEY=VALUE of the case */
+};
+
+struct inputs {
+    struct case_text text;
+    uint64_t hash;                   /* of the case */
+    int files;                       /* 1 with a prescribed force, else 4, and one of creep forces */
+    struct vxf file[5];              /* track, vehicle, left and right table, creep forces */
+    struct trk track;
+    struct veh vehicle;
+    struct ctab table[2];
+    struct creep creep;
+    struct irregularity measured;    /* where the case names a file of it */
+};
+
+/* Reads the case and all it names, or dies.  A file named by the case lies beside the case. */
+void inputs_read(struct inputs *in, const char *path, const struct inputs_options *opt);
+void inputs_release(struct inputs *in);
+
+#endif

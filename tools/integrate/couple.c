@@ -1,0 +1,187 @@
+/* Rails that give within the step: with forces foreseen, by a straight line through the last two, the rails are solved for once.  What a
+ * wheel's force beyond the foreseen moves at its own place and at the other wheel's of its set is known beforehand, so both wheels
+ * find forces and rails together; the rails are solved for again with what the forces differ by.  What that moves under other
+ * wheelsets, and the vertical part of creep forces, may want another round.
+ *
+ * Rails that do not: one round, no foreseeing. */
+#include "tools/integrate/couple.h"
+#include "formats/reason.h"
+#include "tools/integrate/check_rail.h"
+#include "tools/integrate/passage.h"
+
+#include <math.h>
+
+enum { ROUNDS_MOST = 20, PASSES_MOST = 30 };
+#define PRESS_TOLERANCE 1e-6 /* N between the wheels of a set */
+#define RAIL_TOLERANCE 1e-10 /* m of the rail under a wheel: 0.1 N */
+
+static int64_t wheels(const struct passage *p)
+{
+    return 2 * p->vehicle->wheelsets;
+}
+
+static const char *at_wheel(const struct passage *p, int64_t k, const char *why)
+{
+    return reason("wheelset %lld, %s wheel, station %.3f m: %s", (long long)(k / 2 + 1), k % 2 ? "right" : "left", p->couple[k].in.s, why);
+}
+
+/* No force foreseen is below zero. */
+static void foresee(struct passage *p)
+{
+    for (int64_t k = 0; k < wheels(p); k++) {
+        struct couple *c = &p->couple[k];
+        c->applied = fmax(2 * p->memory[k].Q - p->memory[k].Q_before, 0);
+        way_load(&p->rails, (int)(k % 2), &c->place, c->applied);
+    }
+}
+
+/* Rate of d = (local + give) Q, give Q from where the rail would be without Q:  3/2 l/h - (4 l1 - l2)/(2 h) + quick give Q, with l = local Q
+ * of this step and of those before; or (l - l1)/h where nothing gives. */
+static void set_rate(struct couple *c, const struct wheel_memory *memory, double h)
+{
+    const struct way_rail *r = &c->rail;
+
+    c->in.compliance = r->local + r->give;
+    c->in.time = h;
+    c->in.past = memory->local;
+    if (r->give > 0) {
+        c->in.time = h * c->in.compliance / (1.5 * r->local + h * r->quick * r->give);
+        c->in.past = c->in.time * (2 * memory->local - 0.5 * memory->before) / h;
+    }
+}
+
+static const char *meet(struct passage *p, int64_t k)
+{
+    struct couple *c = &p->couple[k];
+
+    passage_wheel_input(p, k / 2, (int)(k % 2), &c->place, &c->rail, &c->in);
+    set_rate(c, &p->memory[k], p->o.step);
+    c->approach.d = c->rail.give > 0 ? c->in.compliance * c->applied : p->memory[k].local;
+    c->Q = c->applied;
+    const char *why = wheel_meet(&c->in, &c->approach);
+    return why ? at_wheel(p, k, why) : NULL;
+}
+
+/* Both wheels of a set, each with what the other's force gives. */
+static const char *press(struct passage *p, int64_t i)
+{
+    double change = HUGE_VAL;
+
+    for (int pass = 0; pass < PASSES_MOST && change > PRESS_TOLERANCE; pass++) {
+        change = 0;
+        for (int side = 0; side < 2; side++) {
+            struct couple *c = &p->couple[2 * i + side];
+            const struct couple *other = &p->couple[2 * i + !side];
+            const struct way_rail *r = &c->rail;
+            const double more = c->Q - c->applied, other_more = other->Q - other->applied;
+            const double shift = r->give_other * other_more - r->give * c->applied;
+            c->in.rail_z = r->z + shift;
+            c->in.rail_v = r->v + r->quick * shift;
+            c->in.rail_slope = r->slope + r->turn * more + r->turn_other * other_more;
+            const double Q = wheel_press(&p->o.law, &c->in, &p->memory[2 * i + side], &c->approach);
+            change = fmax(change, fabs(Q - c->Q));
+            c->Q = Q;
+        }
+        if (!way_yields(&p->rails))
+            return NULL;
+    }
+    return change > PRESS_TOLERANCE ? at_wheel(p, 2 * i, reason("contact forces of the wheelset still change by %.3g N", change)) : NULL;
+}
+
+/* Wheel and rail approach more slowly by what the rail gives; the element's own part is not in creepages. */
+static void roll(struct passage *p, int64_t k)
+{
+    struct couple *c = &p->couple[k];
+    struct wheel_output *w = &p->wheel[k];
+
+    for (int j = 0; j < c->approach.n; j++)
+        c->approach.rate[j] -= c->rail.quick * c->rail.give * c->Q;
+    wheel_roll(&p->o.law, &c->in, &c->approach, &p->memory[k], w);
+    check_rail_add(p->track, (int)(k % 2), &c->in, w);
+    way_load(&p->rails, (int)(k % 2), &c->place, w->Q - c->applied);
+    c->applied = w->Q;
+}
+
+static const char *round_of_forces(struct passage *p)
+{
+    const char *why = NULL;
+
+    for (int64_t i = 0; i < p->vehicle->wheelsets && !why; i++) {
+        for (int side = 0; side < 2 && !why; side++)
+            why = meet(p, 2 * i + side);
+        if (!why)
+            why = press(p, i);
+        for (int side = 0; side < 2 && !why; side++)
+            roll(p, 2 * i + side);
+    }
+    return why;
+}
+
+/* m, the largest difference between where rails are and where the forces took them to be; *at is the wheel. */
+static double disagreement(const struct passage *p, int64_t *at)
+{
+    double most = 0;
+
+    for (int64_t k = 0; k < wheels(p); k++) {
+        const struct couple *c = &p->couple[k];
+        struct way_rail now;
+        way_look(&p->rails, (int)(k % 2), &c->place, &now);
+        double off = fabs(now.z - c->in.rail_z - c->rail.give * c->Q);
+        if (!(off <= most)) {
+            most = off;
+            *at = k;
+        }
+    }
+    return most;
+}
+
+static void remember(struct passage *p)
+{
+    for (int64_t k = 0; k < wheels(p); k++) {
+        struct couple *c = &p->couple[k];
+        struct wheel_memory *memory = &p->memory[k];
+        memory->before = memory->local;
+        memory->local = c->rail.give > 0 ? c->rail.local * c->Q : c->approach.d;
+        if (p->o.account && p->n > 0)
+            energy_work(&p->energy, &p->rails, (int)(k % 2), &c->left, memory->Q, &c->place, p->wheel[k].Q);
+        memory->Q_before = memory->Q;
+        memory->Q = p->wheel[k].Q;
+    }
+}
+
+const char *couple_wheels(struct passage *p)
+{
+    const int yields = way_yields(&p->rails);
+    double off = HUGE_VAL;
+    int64_t at = 0;
+
+    for (int64_t k = 0; k < wheels(p); k++) {
+        p->couple[k].left = p->couple[k].place;
+        p->couple[k].place = passage_place(p, k / 2, (int)(k % 2));
+        p->couple[k].applied = 0;
+    }
+    if (yields)
+        foresee(p);
+    if (yields && p->o.exciter)
+        exciter_load(p->o.exciter, &p->rails, p->n);
+    way_move(&p->rails);
+    if (!yields && p->o.exciter)
+        exciter_load(p->o.exciter, &p->rails, p->n);
+    for (int round = 0; round < ROUNDS_MOST && off > RAIL_TOLERANCE; round++) {
+        const char *why = round_of_forces(p);
+        if (why)
+            return why;
+        p->rounds++;
+        off = 0;
+        if (yields) {
+            way_move(&p->rails);
+            off = disagreement(p, &at);
+        }
+    }
+    if (!(off <= RAIL_TOLERANCE))
+        return at_wheel(p, at, reason("contact forces and rails still differ by %.3g m", off));
+    if (way_unrest(&p->rails) > 0)
+        return reason("station %.3f m: forces of ballast that only pushes still change by %.3g N", p->station, way_unrest(&p->rails));
+    remember(p);
+    return NULL;
+}

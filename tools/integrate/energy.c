@@ -1,0 +1,127 @@
+#include "tools/integrate/energy.h"
+#include "formats/reason.h"
+#include "tools/contact/clones.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *energy_new(struct energy *e, const struct way *w)
+{
+    *e = (struct energy){.counted = 1, .n = w->scheme == WAY_EXPLICIT ? w->lumped.stride : w->track->sleepers};
+    for (int64_t i = 0; i < TRK_BALLAST * w->track->sleepers; i++)
+        e->counted &= w->track->ballast_state[i] == TRK_BONDED;
+    e->lost = calloc((size_t)e->n, sizeof *e->lost);
+    return e->lost ? NULL : REASON_MEMORY;
+}
+
+void energy_free(struct energy *e)
+{
+    free(e->lost);
+    *e = (struct energy){0};
+}
+
+/* ---- stored ---- */
+
+/* x' A x/2 */
+static double half_square(const struct trk *t, const double *Ax, const double *x)
+{
+    double sum = 0;
+
+    for (int64_t j = 0; j < t->dofs; j++)
+        for (int64_t p = t->Ap[j]; p < t->Ap[j + 1]; p++)
+            sum += 0.5 * x[t->Ai[p]] * Ax[p] * x[j];
+    return sum;
+}
+
+/* e' M u g, e going down with all of the track. */
+static double descended(const struct trk *t, const double *u, double g)
+{
+    double sum = 0;
+
+    for (int64_t i = 0; i < t->nodes; i++)
+        for (int s = 0; s < 2; s++) {
+            const int64_t j = trk_rail_dof(t, s, i);
+            for (int64_t p = t->Ap[j]; p < t->Ap[j + 1]; p++)
+                sum += t->Mx[p] * u[t->Ai[p]] * g;
+        }
+    for (int64_t i = 0; i < t->sleepers; i++)
+        sum += t->sleeper_mass[i] * u[t->sleeper_dof[i]] * g;
+    return sum;
+}
+
+static double stored(const struct way *w)
+{
+    double *u = calloc((size_t)(2 * w->track->dofs), sizeof *u), *v = u ? u + w->track->dofs : NULL, sum = 0;
+
+    if (!u)
+        return 0;
+    way_state(w, u, v);
+    sum = half_square(w->track, w->track->Kx, u) + half_square(w->track, w->track->Mx, v) - descended(w->track, u, w->gravity);
+    free(u);
+    return sum;
+}
+
+void energy_begin(struct energy *e, const struct way *w)
+{
+    memset(e->lost, 0, (size_t)e->n * sizeof *e->lost);
+    e->work = 0;
+    e->begun = e->counted ? stored(w) : 0;
+}
+
+double energy_end(const struct energy *e, const struct way *w, double *left, double *lost)
+{
+    *lost = 0;
+    for (int64_t i = 0; i < e->n; i++)
+        *lost += e->lost[i];
+    *left = stored(w) - e->begun;
+    return fabs(e->work - *left - *lost) / *lost;
+}
+
+/* ---- work and loss ---- */
+
+void energy_work(struct energy *e, const struct way *w, int rail, const struct wheel_place *before, double F_before,
+                 const struct wheel_place *now, double F_now)
+{
+    const struct newmark *m = &w->newmark;
+
+    if (w->scheme == WAY_EXPLICIT)
+        e->work += w->step * F_now * lumped_sample(&w->lumped, rail, now, now->shape, w->lumped.v);
+    else
+        e->work += 0.5 * (F_before * newmark_moved(m, rail, before, before->shape) + F_now * newmark_moved(m, rail, now, now->shape));
+}
+
+/* c e'^2 h of springs between w and z + y roll. */
+CLONES static void lose_in_pads(int64_t n, double h, const double *restrict vw, const double *restrict vz, const double *restrict vr,
+                                const double *restrict y, const double *restrict c, double *restrict lost)
+{
+    for (int64_t i = 0; i < n; i++) {
+        double e = vw[i] - vz[i] - y[i] * vr[i];
+        lost[i] += c[i] * e * e * h;
+    }
+}
+
+CLONES static void lose_in_ballast(int64_t n, double h, const double *restrict vz, const double *restrict vr, const double *restrict y,
+                                   const double *restrict c, double *restrict lost)
+{
+    for (int64_t i = 0; i < n; i++) {
+        double e = vz[i] + y[i] * vr[i];
+        lost[i] += c[i] * e * e * h;
+    }
+}
+
+void energy_lose(struct energy *e, const struct way *w)
+{
+    const struct lumped *l = &w->lumped;
+    const int64_t k = l->stride, n = w->track->sleepers;
+    const double *vz = l->v + LUMPED_Z * k, *vr = l->v + LUMPED_ROLL * k;
+
+    if (w->scheme == WAY_IMPLICIT) {
+        newmark_lose(&w->newmark, e->lost);
+        return;
+    }
+    for (int s = 0; s < 2; s++)
+        lose_in_pads(n, w->step, l->v + (s ? LUMPED_WR : LUMPED_WL) * k, vz, vr, l->arm[s], l->pad_c[s], e->lost);
+    for (int s = 0; s < 3; s++)
+        lose_in_ballast(n, w->step, vz, vr, l->ballast_y[s], l->ballast_c[s], e->lost);
+}
