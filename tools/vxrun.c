@@ -161,12 +161,17 @@ static double seconds(void)
 
 static void show_progress(const struct passage *p)
 {
-    static int64_t shown;
+    static int64_t shown, first;
+    static double began;
 
+    if (!shown) {
+        shown = first = p->n - 1;
+        began = seconds();
+    }
     if (isatty(STDERR_FILENO) && (p->n - shown) * 50 >= p->steps) {
         shown = p->n;
-        fprintf(stderr, "\r%s %3.0f %%  s = %.1f m  %s", program.name, 100.0 * (double)p->n / (double)p->steps, p->station,
-                p->n == p->steps ? "\n" : "");
+        fprintf(stderr, "\r%s %3.0f %%  s = %.1f m  %.0f s left  %s", program.name, 100.0 * (double)p->n / (double)p->steps, p->station,
+                (seconds() - began) * (double)(p->steps - p->n) / (double)(p->n - first), p->n == p->steps ? "\n" : "");
     }
 }
 
@@ -225,6 +230,8 @@ static void account(const struct passage *p, int64_t first, double begun, double
              p->o.step, p->limit, residual);
     cli_note("track %s, %lld degrees of freedom, %.2f rounds of forces a step: %s", p->rails.scheme == WAY_EXPLICIT ? "explicit" : "implicit",
              (long long)p->track->dofs, (double)p->rounds / (double)(done + 1), p->rails.because);
+    if (!isnan(p->run_in.settled))
+        cli_note("run-in: Q repeats from bay to bay from %.1f m on", p->run_in.settled);
     if (p->energy.counted) {
         double stored, lost, missing = energy_end(&p->energy, &p->rails, &stored, &lost);
         cli_note("wheels' work on the track %.6g J: lost %.6g, stored %.6g, missing %.1e of the loss", p->energy.work, lost, stored, missing);
@@ -273,6 +280,9 @@ int main(int argc, char **argv)
     else
         cli_check("start", passage_start(&p, &residual));
     cli_check("run", record_new(&r, &p, in.text.channels.group, every, in.text.filter));
+    if (opt.verbose)
+        cli_note("writes %lld records of %.0f bytes, %.1f MB", (long long)((p.steps - p.n) / every + 1), record_bytes(&r),
+                 1e-6 * record_bytes(&r) * (double)((p.steps - p.n) / every + 1));
     describe(&in, &r, &head);
     first = p.n;
     started = seconds();

@@ -176,6 +176,17 @@ void passage_wheel_input(const struct passage *p, int64_t i, int side, const str
     in->line_slope = at.y_slope;
 }
 
+/* A track that follows the train has no bays: any length will do. */
+void passage_account(struct passage *p)
+{
+    const struct trk *t = p->track;
+    const double bay = p->follows || t->sleepers < 2 ? 0.6 : t->sleeper_x[1] - t->sleeper_x[0];
+
+    energy_begin(&p->energy, &p->rails);
+    if (p->vehicle->wheelsets)
+        run_in_begin(&p->run_in, t->sleeper_x[0], bay, *p->vehicle->wheel_load, p->station);
+}
+
 const char *passage_forces(struct passage *p)
 {
     const char *why;
@@ -219,5 +230,7 @@ const char *passage_step(struct passage *p)
     p->station = p->o.start + p->o.speed * p->time;
     if ((why = passage_forces(p)))
         return why;
+    if (p->o.account && p->vehicle->wheelsets)
+        run_in_step(&p->run_in, p->station, p->wheel->Q);
     return check_motion(p);
 }

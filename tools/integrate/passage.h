@@ -14,6 +14,7 @@
 #include "tools/integrate/excitation.h"
 #include "tools/integrate/exciter.h"
 #include "tools/integrate/follow.h"
+#include "tools/integrate/run_in.h"
 #include "tools/integrate/sideways.h"
 #include "tools/integrate/train.h"
 #include "tools/integrate/way.h"
@@ -24,7 +25,7 @@ struct passage_options {
     double start, end;              /* m, stations of the front wheelset */
     double step;                    /* s */
     enum way_scheme scheme;         /* of the track */
-    int account;                    /* whether its energy is accounted for */
+    int account;                    /* whether its energy and its run-in are accounted for */
     struct wheel_law law;
     struct excitation_options excitation;
     const struct exciter *exciter;  /* NULL, or a prescribed force on the track: it sets the number of steps */
@@ -43,6 +44,7 @@ struct passage {
     struct train train;
     struct wheel_memory *memory;    /* [wheelsets][2] */
     struct energy energy;           /* of the track */
+    struct run_in run_in;           /* of the front left wheel, where there is an account */
     struct couple *couple;          /* [wheelsets][2] */
     struct wheel_output *wheel;     /* [wheelsets][2] */
     struct sideways sideways;
@@ -60,6 +62,9 @@ void passage_free(struct passage *p);
 
 /* Steps from start to end. */
 int64_t passage_steps(const struct passage_options *o);
+
+/* Accounts begin with the present state. */
+void passage_account(struct passage *p);
 
 /* All forces and accelerations from the present positions and rates. */
 const char *passage_forces(struct passage *p);

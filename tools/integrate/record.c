@@ -105,6 +105,16 @@ void record_free(struct record *r)
     *r = (struct record){0};
 }
 
+double record_bytes(const struct record *r)
+{
+    double bytes = 0;
+
+    for (int c = 0; c < RUN_CHANNELS; c++)
+        if (r->recorded[c])
+            bytes += (double)r->size[c] * (double)vxf_type_size(run_channels[c].type);
+    return bytes;
+}
+
 /* ---- extremes ---- */
 
 CLONES static void keep_largest(int64_t n, const double *restrict x, double *restrict largest)

@@ -33,6 +33,9 @@ struct record {
 const char *record_new(struct record *r, const struct passage *p, const int *groups, int64_t every, int lowpass);
 void record_free(struct record *r);
 
+/* Of one record. */
+double record_bytes(const struct record *r);
+
 /* Takes in the present step: extremes always, a sample where it is due.  Returns 1 when the buffers are full and must be
  * written and emptied before the next call. */
 int record_step(struct record *r, const struct passage *p);

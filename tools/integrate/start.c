@@ -272,7 +272,7 @@ static const char *begin(struct passage *p, double *residual)
         p->memory[k].Q_before = p->memory[k].Q;
     }
     if (p->o.account)
-        energy_begin(&p->energy, &p->rails);
+        passage_account(p);
     memcpy(p->train.before, p->train.a, (size_t)p->train.dofs * sizeof *p->train.a);
     return NULL;
 }

@@ -155,6 +155,6 @@ const char *state_resume(const struct state *s, struct passage *p, const struct 
     for (int64_t k = 0; k < 2 * p->vehicle->wheelsets; k++)
         p->couple[k].place = way_find(&p->rails, (int)(k % 2), passage_wheel_station(p, k / 2));
     if (p->o.account)
-        energy_begin(&p->energy, &p->rails);
+        passage_account(p);
     return NULL;
 }
