@@ -104,7 +104,7 @@ static void order(void)
     fastsim_begin(&o.law.grid, 10);
     order = observed_order(&f, &o, &change);
     printf("# linear law with damping: order %.3f, %.2e m rms\n", order, change);
-    ok(order > 0.9 && change < 1e-8, "first with contact damping, whose local part is a backward difference, but within 10 nm");
+    near(order, 2, 0.1, "second with contact damping too");
     tear_down(&f);
 }
 

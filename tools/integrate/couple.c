@@ -36,18 +36,15 @@ static void foresee(struct passage *p)
 }
 
 /* Rate of d = (local + give) Q, give Q from where the rail would be without Q:  3/2 l/h - (4 l1 - l2)/(2 h) + quick give Q, with l = local Q
- * of this step and of those before; or (l - l1)/h where nothing gives. */
+ * of this step and of those before, backward of second order. */
 static void set_rate(struct couple *c, const struct wheel_memory *memory, double h)
 {
     const struct way_rail *r = &c->rail;
+    const double past = 2 * memory->local - 0.5 * memory->before;
 
     c->in.compliance = r->local + r->give;
-    c->in.time = h;
-    c->in.past = memory->local;
-    if (r->give > 0) {
-        c->in.time = h * c->in.compliance / (1.5 * r->local + h * r->quick * r->give);
-        c->in.past = c->in.time * (2 * memory->local - 0.5 * memory->before) / h;
-    }
+    c->in.time = r->give > 0 ? h * c->in.compliance / (1.5 * r->local + h * r->quick * r->give) : h / 1.5;
+    c->in.past = c->in.time * past / h;
 }
 
 static const char *meet(struct passage *p, int64_t k)
