@@ -281,8 +281,7 @@ int main(int argc, char **argv)
         cli_check("start", passage_start(&p, &residual));
     cli_check("run", record_new(&r, &p, in.text.channels.group, every, in.text.filter));
     if (opt.verbose)
-        cli_note("writes %lld records of %.0f bytes, %.1f MB", (long long)((p.steps - p.n) / every + 1), record_bytes(&r),
-                 1e-6 * record_bytes(&r) * (double)((p.steps - p.n) / every + 1));
+        cli_note("writes %.1f MB", 1e-6 * record_bytes(&r) * (double)((p.steps - p.n) / every + 1));
     describe(&in, &r, &head);
     first = p.n;
     started = seconds();
