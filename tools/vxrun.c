@@ -168,7 +168,7 @@ static void show_progress(const struct passage *p)
         shown = first = p->n - 1;
         began = seconds();
     }
-    if (isatty(STDERR_FILENO) && (p->n - shown) * 50 >= p->steps) {
+    if ((p->n - shown) * 50 >= p->steps && isatty(STDERR_FILENO)) {
         shown = p->n;
         fprintf(stderr, "\r%s %3.0f %%  s = %.1f m  %.0f s left  %s", program.name, 100.0 * (double)p->n / (double)p->steps, p->station,
                 (seconds() - began) * (double)(p->steps - p->n) / (double)(p->n - first), p->n == p->steps ? "\n" : "");
