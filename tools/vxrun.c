@@ -4,12 +4,11 @@
  * the train runs and renamed when it is complete.  Axes: x forward, y to the right, z down; forces are those of the wheel on the rail.
  * Method: integrate/passage.h, integrate/way.h.  Arrays read: all of the inputs.  Arrays written: run(5). */
 #include "tools/cli/inputs.h"
+#include "tools/cli/states.h"
 #include "tools/integrate/options.h"
 #include "tools/integrate/record.h"
 #include "tools/integrate/start.h"
-#include "tools/integrate/state.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -70,87 +69,6 @@ static const char *parse(int argc, char **argv)
     return asks ? NULL : operand[0];
 }
 
-static void put_inputs(const struct inputs *in, struct vxf_out *o)
-{
-    for (int i = 0; i < in->files; i++)
-        vxf_put_input(o, &in->file[i]);
-    vxf_put_key(o, "INPUT", "case %016llx", (unsigned long long)in->hash);
-    if (in->text.irregularity.file)
-        vxf_put_key(o, "INPUT", "irregularity %016llx", (unsigned long long)in->measured.hash);
-}
-
-/* The .state beside the .run. */
-static char *state_path(void)
-{
-    const size_t n = strlen(opt.out), end = n > 4 && strcmp(opt.out + n - 4, ".run") == 0 ? n - 4 : n;
-    char *path = calloc(end + sizeof ".state", 1);
-
-    if (!path)
-        cli_die(REASON_MEMORY);
-    snprintf(path, end + sizeof ".state", "%.*s.state", (int)end, opt.out);
-    return path;
-}
-
-static void save_state(struct passage *p, const struct inputs *in, const char *failed)
-{
-    struct state s;
-    struct state_part part[STATE_PARTS];
-    struct vxf_out o;
-    char *path = state_path();
-    double *rest = NULL;
-
-    cli_check(path, state_take(&s, p, &rest));
-    snprintf(s.failed, sizeof s.failed, "%s", failed ? failed : "");
-    s.vehicle = vxf_content(&in->file[1]);
-    s.contact[0] = vxf_content(&in->file[2]);
-    s.contact[1] = vxf_content(&in->file[3]);
-    s.text = in->hash;
-    s.track = &in->file[0];
-    vxf_out_begin(&o, "state");
-    put_inputs(in, &o);
-    state_put(&s, state_parts(p, part), part, &o);
-    cli_write(&o, path);
-    vxf_out_free(&o);
-    free(rest);
-    free(path);
-}
-
-/* What a run that fails leaves for a post-mortem, where its numbers are still finite and it has a name. */
-static void leave_state(struct passage *p, const struct inputs *in, const char *failed)
-{
-    struct state_part part[STATE_PARTS];
-    const int n = state_parts(p, part);
-
-    for (int k = 0; k < n; k++)
-        for (int64_t i = 0; i < part[k].n; i++)
-            if (!isfinite(part[k].x[i]))
-                return;
-    if (opt.out && in->files > 1)
-        save_state(p, in, failed);
-}
-
-/* What differs is told; what must not, refused. */
-static void resume(struct passage *p, const struct inputs *in, const struct vxf *file)
-{
-    struct state s;
-    struct state_difference differs[STATE_DIFFERENCES];
-    int n;
-
-    cli_check(opt.start, state_read(&s, file));
-    cli_check(opt.start, state_compare(&s, &in->file[0], differs, &n));
-    if (s.vehicle != vxf_content(&in->file[1]))
-        cli_die("%s: is of another vehicle", opt.start);
-    cli_check(opt.start, state_resume(&s, p, differs, n));
-    for (int k = 0; k < n; k++)
-        cli_note("%s of the track differs from %.2f to %.2f m, beyond the state's reach from %.2f to %.2f m", differs[k].name,
-                 differs[k].from, differs[k].to, s.reach[0], s.reach[1]);
-    for (int side = 0; side < 2; side++)
-        if (s.contact[side] != vxf_content(&in->file[2 + side]))
-            cli_note("the %s contact table is not that of the state", side ? "right" : "left");
-    if (s.text != in->hash)
-        cli_note("the case is not that of the state");
-}
-
 static double seconds(void)
 {
     struct timespec t;
@@ -191,7 +109,7 @@ static void write_run(struct passage *p, const struct inputs *in, struct record 
         if (why || (failed = passage_step(p)))
             break;
         if (!saved && (saved = p->station >= opt.save))
-            save_state(p, in, NULL);
+            states_save(p, in, opt.out, NULL);
         show_progress(p);
     }
     record_end(r, p->n);
@@ -202,7 +120,7 @@ static void write_run(struct passage *p, const struct inputs *in, struct record 
     cli_check(opt.out ? opt.out : "standard output", why);
     if (failed) {
         snprintf(reason_kept, sizeof reason_kept, "%s", failed);
-        leave_state(p, in, reason_kept);
+        states_leave(p, in, opt.out, reason_kept);
         cli_die("run: %s", reason_kept);
     }
 }
@@ -212,7 +130,7 @@ static void describe(const struct inputs *in, struct record *r, struct vxf_out *
     static const char *const route[] = {"through", "diverging"};
 
     vxf_out_begin(head, "run");
-    put_inputs(in, head);
+    inputs_put(in, head);
     vxf_put_key(head, "CMD", "%s", cli_command());
     snprintf(r->run.name, sizeof r->run.name, "%s", in->text.name);
     snprintf(r->run.route, sizeof r->run.route, "%s", route[in->text.route]);
@@ -276,7 +194,7 @@ int main(int argc, char **argv)
     o.account = opt.verbose && !o.exciter;
     cli_check("case", passage_new(&p, &o, &in.track, &in.vehicle, &in.table[0], &in.table[1]));
     if (opt.start)
-        resume(&p, &in, &state);
+        states_resume(&p, &in, opt.start, &state);
     else
         cli_check("start", passage_start(&p, &residual));
     cli_check("run", record_new(&r, &p, in.text.channels.group, every, in.text.filter));

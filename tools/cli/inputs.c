@@ -100,6 +100,15 @@ void inputs_read(struct inputs *in, const char *path, const struct inputs_option
         read_train(in, path, opt);
 }
 
+void inputs_put(const struct inputs *in, struct vxf_out *o)
+{
+    for (int i = 0; i < in->files; i++)
+        vxf_put_input(o, &in->file[i]);
+    vxf_put_key(o, "INPUT", "case %016llx", (unsigned long long)in->hash);
+    if (in->text.irregularity.file)
+        vxf_put_key(o, "INPUT", "irregularity %016llx", (unsigned long long)in->measured.hash);
+}
+
 void inputs_release(struct inputs *in)
 {
     for (int i = 0; i < in->files; i++)

@@ -30,6 +30,10 @@ struct inputs {
 
 /* Reads the case and all it names, or dies.  A file named by the case lies beside the case. */
 void inputs_read(struct inputs *in, const char *path, const struct inputs_options *opt);
+
+/* Histories and hashes of all of them into a header. */
+void inputs_put(const struct inputs *in, struct vxf_out *o);
+
 void inputs_release(struct inputs *in);
 
 #endif
