@@ -130,7 +130,9 @@ help:                       ## this list
 
 include pipelines/demo.mk
 include pipelines/yaw.mk
+include pipelines/accuracy.mk
 include pipelines/following.mk
+include pipelines/moving.mk
 include pipelines/track.mk
 include pipelines/vehicles.mk
 include tests/bench/bench.mk

@@ -257,6 +257,7 @@ const struct figure figures[] = {
     {"table", "text", "columns of numbers over the first, a panel for each unit", make_table, NULL},
     {"vertical", "run ...", "vertical force Q of --wheelset, left and right", NULL, runs_vertical},
     {"lateral", "run ...", "lateral force Y of --wheelset, left and right", NULL, runs_lateral},
+    {"wheelset", "run ...", "yaw, lateral displacement and contacts of --wheelset", NULL, runs_wheelset},
     {"pads", "run ...", "force of the railpads on each --sleeper", NULL, runs_pads},
     {"ballast", "run ...", "force on the ballast under each --sleeper", NULL, runs_ballast},
     {"max-pads", "run ...", "largest force of each railpad, over sleeper number", NULL, runs_max_pads},

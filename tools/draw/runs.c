@@ -1,5 +1,7 @@
 #include "tools/draw/runs.h"
 
+#include <math.h>
+
 #define KMH 3.6 /* km/h in a m/s */
 
 static const char *const side_name[] = {"left", "right"};
@@ -72,6 +74,48 @@ const char *runs_lateral(struct chart *c, const struct run *r, const char *label
 {
     set_title(c, r, label, "Lateral wheel force");
     return wheel_force(c, r, label, choice->wheelset, RUN_Y, "Y");
+}
+
+/* A line of a panel: element `index` of a channel, NaN where `load`, of as many records, is 0.  Runs may lie on one another: dashes. */
+static void add_motion(struct chart *c, const struct run *r, const char *label, struct chart_panel *panel, const double *x, const double *load,
+                       enum run_channel ch, int64_t index)
+{
+    double *y = channel(c, r, ch, index);
+
+    for (int64_t i = 0; y && load && i < r->records; i++)
+        y[i] = load[i] > 0 ? y[i] : NAN;
+    if (y)
+        chart_add_series(c, panel, label, r->records, x, y)->dash = place_dash[(panel->colours - 1) % 3];
+}
+
+const char *runs_wheelset(struct chart *c, const struct run *r, const char *label, const struct runs_choice *choice)
+{
+    int64_t w = choice->wheelset - 1;
+
+    if (w >= r->wheelsets)
+        return reason("wheelset %lld: the train has %lld", (long long)w + 1, (long long)r->wheelsets);
+    set_title(c, r, label, "Wheelset");
+    if (c->panels == 0) {
+        c->x.label = chart_words(c, "station of wheelset %lld (m)", (long long)w + 1);
+        chart_add_panel(c, "yaw (mrad)", 1e3);
+        chart_add_panel(c, "lateral (mm)", 1e3);
+        for (int side = 0; side < 2; side++)
+            chart_add_panel(c, chart_words(c, "on %s wheel (mm)", side_name[side]), 1e3);
+        for (int side = 0; side < 2; side++)
+            chart_add_panel(c, chart_words(c, "on %s rail (mm)", side_name[side]), 1e3);
+    }
+    double *x = stations(c, r, r->wheelset_x[w]);
+    if (!x)
+        return c->why;
+    add_motion(c, r, label, &c->panel[0], x, NULL, RUN_BODY_Q, 6 * r->wheelset[w] + 5);
+    add_motion(c, r, label, &c->panel[1], x, NULL, RUN_BODY_Q, 6 * r->wheelset[w] + 1);
+    for (int side = 0; side < 2; side++) {
+        int64_t first = 3 * (2 * w + side);
+        const double *load = channel(c, r, RUN_N, first);
+        add_motion(c, r, label, &c->panel[2 + side], x, load, RUN_CONTACT_WHEEL_Y, first);
+        add_motion(c, r, label, &c->panel[4 + side], x, load, RUN_CONTACT_Y, first);
+    }
+    return c->why;
 }
 
 static int64_t find_sleeper(const struct run *r, int64_t number)
