@@ -9,6 +9,7 @@
 #include <string.h>
 
 #define SPIN_MARGIN 0.8    /* of 1/rate, below */
+#define REAR_MARGIN 1.0    /* m, behind the last body, where headings and offsets begin to count */
 #define END_MARGIN 5.0     /* m that every wheel keeps from a free rail end */
 
 /* ---- checks ---- */
@@ -88,6 +89,16 @@ static const char *check_step(struct passage *p)
     return NULL;
 }
 
+/* m, a little behind the last body where the train starts. */
+static double rear_station(const struct passage *p)
+{
+    double rear = 0;
+
+    for (int64_t i = 0; i < p->vehicle->bodies; i++)
+        rear = fmin(rear, p->vehicle->cg[3 * i]);
+    return p->o.start + rear - REAR_MARGIN;
+}
+
 /* A moving mass is laid under every wheelset. */
 static const char *lay_track(struct passage *p, const struct trk *track)
 {
@@ -116,6 +127,7 @@ const char *passage_new(struct passage *p, const struct passage_options *o, cons
         why = REASON_MEMORY;
     else if (!(why = lay_track(p, track)) && !(why = check_ends(p)) && !(why = check_tables(vehicle, left, right)) &&
              !(why = alignment_new(&p->alignment, track->curves, track->curve_x, track->curvature)) &&
+             !(why = alignment_begin(&p->alignment, rear_station(p))) &&
              !(why = check_flats(&o->excitation, vehicle)) && !(why = excitation_new(&p->excitation, &o->excitation)) &&
              !(why = way_new(&p->rails, p->track, vehicle->gravity, o->step, o->scheme)) &&
              (!o->account || !(why = energy_new(&p->energy, &p->rails))) && !(why = train_new(&p->train, vehicle, o->speed)))

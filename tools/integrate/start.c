@@ -2,6 +2,7 @@
  * so much stiffer than the springs that each round gains two digits. */
 #include "tools/integrate/start.h"
 #include "formats/reason.h"
+#include "tools/integrate/steady.h"
 #include "tools/track/equilibrium.h"
 
 #include <lapacke.h>
@@ -12,7 +13,7 @@
 enum { ROUNDS_MOST = 30, HEIGHT_MOST = 60 };
 #define LOAD_TOLERANCE 1e-3   /* N */
 #define HEIGHT_TOLERANCE 1e-3 /* N, of a wheel load found by its height */
-#define SIDEWAYS_MOST 0.01    /* sum of Y over the load of a wheelset; a load off centre gives some */
+#define BALANCED 1e-4         /* of a wheel load, N or N m: what rest on straight level track may leave, for rounding of the tables */
 
 struct rest {
     struct passage *p;
@@ -231,28 +232,58 @@ static const char *settle(struct rest *r)
     return why;
 }
 
-/* Frames count from the tangent at the beginning of the alignment, on which all bodies must still stand. */
-static const char *check_straight(const struct passage *p)
+/* ---- in curves, on cant, with unlike sides ---- */
+
+/* Bodies that stand in straight frames stand so in those of the alignment. */
+static void follow_alignment(struct passage *p)
 {
-    for (int64_t i = 0; i < p->vehicle->bodies; i++)
-        if (p->train.line[i].heading != 0 || p->train.line[i].offset != 0)
-            return reason("%s would start in or behind a curve: the start is found on straight track only, before %g m",
-                          p->vehicle->body_name[i], p->alignment.x[0]);
-        else if (p->train.line[i].cant != 0)
-            return reason("%s would start on cant: the start is found on level track only, before %g m", p->vehicle->body_name[i],
-                          p->alignment.cant_x[0]);
-    return NULL;
+    struct train *t = &p->train;
+
+    train_locate(t, &p->alignment, p->station);
+    for (int64_t i = 0; i < p->vehicle->bodies; i++) {
+        double q[6], v[6];
+        memcpy(q, t->q + 6 * i, sizeof q);
+        memcpy(v, t->v + 6 * i, sizeof v);
+        train_put(t, i, q, v);
+    }
 }
 
-static const char *check_sideways(const struct passage *p)
+/* Wheel loads -> track -> train -> wheel loads. */
+static const char *settle_steady(struct rest *r, struct steady *s)
 {
-    for (int64_t i = 0; i < p->vehicle->wheelsets; i++) {
-        double Y = p->wheel[2 * i].Y + p->wheel[2 * i + 1].Y, Q = p->wheel[2 * i].Q + p->wheel[2 * i + 1].Q;
-        if (fabs(Y) > SIDEWAYS_MOST * Q)
-            return reason("wheelset %lld is pushed sideways by %.3g N where it starts: the start is found only where both sides are alike",
-                          (long long)i + 1, fabs(Y));
+    const int64_t wheels = 2 * r->p->vehicle->wheelsets;
+    const char *why = NULL;
+    double change = HUGE_VAL;
+
+    for (int i = 0; i < ROUNDS_MOST && change > LOAD_TOLERANCE && !why; i++) {
+        if ((why = settle_track(r)) || (why = steady_find(s)))
+            break;
+        change = 0;
+        for (int64_t k = 0; k < wheels; k++) {
+            change = fmax(change, fabs(r->p->wheel[k].Q - r->load[k]));
+            r->load[k] = r->p->wheel[k].Q;
+        }
     }
-    return NULL;
+    if (!why && change > LOAD_TOLERANCE)
+        why = reason("no quasi-static equilibrium found: wheel loads still change by %.3g N", change);
+    return why;
+}
+
+/* A train that its straight rest does not leave balanced. */
+static const char *balance(struct rest *r)
+{
+    struct steady s;
+    double left;
+    const char *why;
+
+    follow_alignment(r->p);
+    if ((why = steady_new(&s, r->p)))
+        return why;
+    why = steady_unbalanced(&s, &left);
+    if (!why && left > BALANCED * s.load)
+        why = settle_steady(r, &s);
+    steady_free(&s);
+    return why;
 }
 
 /* The forces of that state; the motion begins with these accelerations. */
@@ -261,12 +292,14 @@ static const char *begin(struct passage *p, double *residual)
     const char *why = passage_forces(p);
 
     *residual = 0;
-    if (!why)
-        why = check_sideways(p);
     if (why)
         return why;
-    for (int64_t i = 0; i < p->vehicle->bodies; i++)
-        *residual = fmax(*residual, fabs(p->train.a[6 * i + VEH_Z]) / p->vehicle->gravity);
+    for (int64_t i = 0; i < p->vehicle->bodies; i++) {
+        double carried[6];
+        train_carried(&p->train, i, carried);
+        for (int k = VEH_Y; k <= VEH_Z; k++)
+            *residual = fmax(*residual, fabs(p->train.a[6 * i + k] - carried[k]) / p->vehicle->gravity);
+    }
     for (size_t k = 0; k < (size_t)(2 * p->vehicle->wheelsets); k++) {
         p->memory[k].before = p->memory[k].local;
         p->memory[k].Q_before = p->memory[k].Q;
@@ -287,8 +320,7 @@ const char *passage_start(struct passage *p, double *residual)
     train_locate(&p->train, &p->alignment, p->station);
     if (!v->bodies)
         return begin(p, residual);
-    if ((why = check_straight(p)))
-        return why;
+    train_level(&p->train);
     r.f = calloc((size_t)p->track->dofs, sizeof *r.f);
     r.u = calloc((size_t)p->track->dofs, sizeof *r.u);
     r.load = calloc(wheels, sizeof *r.load);
@@ -300,8 +332,7 @@ const char *passage_start(struct passage *p, double *residual)
         why = REASON_MEMORY;
     else if (!(why = equilibrium_new(&r.track, p->track, p->vehicle->gravity))) {
         find_free(&r);
-        why = settle(&r);
-        if (!why)
+        if (!(why = settle(&r)) && !(why = balance(&r)))
             why = begin(p, residual);
         equilibrium_free(&r.track);
     }

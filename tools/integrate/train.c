@@ -91,18 +91,46 @@ static void localise(struct train *t)
     }
 }
 
-void train_in_frame(const struct train *t, int64_t i, double q[6], double v[6])
+/* Where the frame of body i has it, and how it carries it: d offset/dt = heading v,  d heading/dt = curvature v,  d cant/dt = twist v. */
+static void frame_of(const struct train *t, int64_t i, double place[6], double rate[6])
 {
     const struct alignment_point *p = &t->line[i];
-    double place[6], rate[6];
 
     frame_at(t, i, p->offset, p->heading, p->cant, place);
-    /* d offset/dt = heading v,  d heading/dt = curvature v,  d cant/dt = twist v */
     frame_at(t, i, p->heading * t->speed, p->curvature * t->speed, p->twist * t->speed, rate);
+}
+
+void train_in_frame(const struct train *t, int64_t i, double q[6], double v[6])
+{
+    double place[6], rate[6];
+
+    frame_of(t, i, place, rate);
     for (int k = 0; k < 6; k++) {
         q[k] = t->q[6 * i + k] - place[k];
         v[k] = t->v[6 * i + k] - rate[k];
     }
+}
+
+void train_put(struct train *t, int64_t i, const double q[6], const double v[6])
+{
+    double place[6], rate[6];
+
+    frame_of(t, i, place, rate);
+    for (int k = 0; k < 6; k++) {
+        t->q[6 * i + k] = place[k] + q[k];
+        t->v[6 * i + k] = rate[k] + v[k];
+    }
+}
+
+void train_carried(const struct train *t, int64_t i, double a[6])
+{
+    frame_at(t, i, t->line[i].curvature * t->speed * t->speed, 0, 0, a);
+}
+
+void train_level(struct train *t)
+{
+    memset(t->line, 0, (size_t)t->vehicle->bodies * sizeof *t->line);
+    t->tangent = (struct alignment_point){0};
 }
 
 /* Acceleration of body i by its weight in axes rolled by the cant, with what of the centripetal acceleration along them is not yet in its

@@ -49,4 +49,13 @@ void train_felt(const struct train *t, int64_t i, double a[6]);
 /* Displacement and rate of body i in its own frame. */
 void train_in_frame(const struct train *t, int64_t i, double q[6], double v[6]);
 
+/* The opposite: body i has this displacement and rate in its own frame. */
+void train_put(struct train *t, int64_t i, const double q[6], const double v[6]);
+
+/* Into a its acceleration when it keeps its place in that frame; between changes of curvature and of the cant's slope. */
+void train_carried(const struct train *t, int64_t i, double a[6]);
+
+/* As if the alignment were straight and level, until the next train_locate. */
+void train_level(struct train *t);
+
 #endif
