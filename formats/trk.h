@@ -119,6 +119,12 @@ static inline int64_t trk_rail_dof(const struct trk *t, int rail, int64_t node)
     return t->node_dof[node] + t->rail_dofs * rail;
 }
 
+/* m, from the centre of a sleeper to its railpad under a rail, positive to the right. */
+static inline double trk_pad_arm(const struct trk *t, int rail, int64_t sleeper)
+{
+    return (rail == TRK_LEFT ? -0.5 : 0.5) * t->rail_spacing - t->sleeper_y[sleeper];
+}
+
 const char *trk_read(struct trk *t, const struct vxf *f);
 const char *trk_put(const struct trk *t, struct vxf_out *o);
 void trk_free(struct trk *t);

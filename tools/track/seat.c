@@ -25,7 +25,7 @@ static void take(struct seat *s, const struct trk *t, const struct point *p, int
     for (int k = 0; k < 4; k++)
         s->deflection += p->shape[rail][k] * u[dof[k]];
     for (int64_t i = 0; i < t->sleepers; i++) {
-        double arm = (rail == TRK_LEFT ? -0.5 : 0.5) * t->rail_spacing - t->sleeper_y[i];
+        double arm = trk_pad_arm(t, rail, i);
         double compression = u[trk_rail_dof(t, rail, t->sleeper_node[i])] - (u[t->sleeper_dof[i]] + arm * u[t->sleeper_dof[i] + 1]);
         double force = t->pad_k[rail * t->sleepers + i] * compression;
         if (i == 0 || force > s->force) {
