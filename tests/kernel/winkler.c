@@ -1,24 +1,16 @@
-/* A beam on closely spaced fixed springs against the beam on a Winkler foundation: a constant load that moves, and a wheelset over a
- * sinusoidal rail; consistent mass in the implicit scheme, lumped mass with its pitch inertia in both.  With w ~ exp(i (omega t + kappa s)),
- * s counted from the load moving at v, J the pitch inertia over length,
- *   H(omega) = 1/(2 pi) integral dkappa / (EI kappa^4 + k + i c W - (m + J kappa^2) W^2),   W = omega - kappa v. */
+/* Beams on closely spaced fixed springs against the beam on a Winkler foundation: a constant load that moves, and a wheelset over a sinusoidal
+ * rail; consistent mass in the implicit scheme, lumped mass with its pitch inertia in both. */
 #include <complex.h>
 
 #include "tests/kernel/half_set.h"
 #include "tests/kernel/rig.h"
 #include "tests/kernel/tap.h"
+#include "tests/kernel/winkler.h"
 #include "tools/integrate/start.h"
 
-#define EI 6.11e6      /* N m2 */
-#define MASS 60.0      /* kg/m */
-#define FOUNDATION 1e8 /* N/m2 */
-#define DAMPING 124e3  /* N s/m2, 0.8 of critical: transients must die within the beam */
-#define SPACING 0.15   /* m */
 #define LUMPED 1.6     /* kg m, J of the lumped rail */
+#define FINE 1e-3      /* 1/m */
 
-/* Pads of 15 kN/mm on sleepers that do not give: the foundation's 1e8 N/m2. */
-static const char *const support[] = {"sleeper.spacing=0.15", "railpad.stiffness=1.5e7", "railpad.damping=18600", "ballast.stiffness=1e12",
-                                      "ballast.damping=0", "from=-30", "length=60", "rail.elements_per_bay=1", "rail.mass_model=consistent"};
 static const char *const lumped[] = {"sleeper.spacing=0.15", "railpad.stiffness=1.5e7", "railpad.damping=18600", "ballast.stiffness=1.5e11",
                                      "ballast.damping=0", "from=-30", "length=60", "rail.pitch_inertia=0.24"};
 
@@ -30,19 +22,6 @@ struct beam_run {
     const char *name;
 };
 
-/* m/N, by the trapezoidal rule, whose error on a smooth integrand falls off as no power does. */
-static double complex receptance(double omega, double v, double damping, double J)
-{
-    const double step = 1e-3, far = 60, bend = EI - J * v * v;
-    double complex sum = 0;
-
-    for (double kappa = -far; kappa <= far; kappa += step) {
-        const double W = omega - kappa * v;
-        sum += 1 / (EI * kappa * kappa * kappa * kappa + FOUNDATION - (MASS + J * kappa * kappa) * W * W + I * damping * W);
-    }
-    return sum * step / (2 * M_PI) + 2 / (6 * M_PI * bend * far * far * far);
-}
-
 /* Without damping w(0) = F beta/(2 k sqrt(1 - (v/v_c)^2)), beta^4 = k/(4 EI), v_c^4 = 4 EI k/m^2. */
 static void closed_form(void)
 {
@@ -50,7 +29,7 @@ static void closed_form(void)
 
     for (int k = 0; k < 4; k++) {
         const double part = 0.2 * k, want = beta / (2 * FOUNDATION * sqrt(1 - part * part));
-        near(creal(receptance(0, part * critical, 0, 0)) / want, 1, 1e-5, "the integral is the closed form of a moving load without damping");
+        near(creal(winkler_receptance(0, part * critical, 0, 0, FINE)) / want, 1, 1e-5, "the integral is the closed form of a moving load without damping");
     }
 }
 
@@ -86,9 +65,9 @@ static void moving_load(const struct beam_run *b, double v)
             n++;
         }
     }
-    const double got = sum / n, want = F * creal(receptance(0, v, DAMPING, b->J));
-    ok(fabs(got / want - 1) < 0.01, "%s, a load at %g m/s: %.4f mm, Winkler %.4f (%.2f %%), at rest %.4f", b->name, v, 1e3 * got, 1e3 * want, 100 * (got / want - 1),
-       1e3 * F * creal(receptance(0, 0, DAMPING, b->J)));
+    const double got = sum / n, want = F * creal(winkler_receptance(0, v, DAMPING, b->J, FINE));
+    ok(fabs(got / want - 1) < 0.01, "%s, a load at %g m/s: %.4f mm, Winkler %.4f (%.2f %%), at rest %.4f", b->name, v, 1e3 * got, 1e3 * want,
+       100 * (got / want - 1), 1e3 * F * creal(winkler_receptance(0, 0, DAMPING, b->J, FINE)));
     free(u);
     way_free(&w);
 }
@@ -127,8 +106,9 @@ static void moving_oscillator(const struct beam_run *b, const struct veh *v, str
             got += (p.wheel[0].Q - v->wheel_load[0]) * cexp(-I * omega * (p.station + 9) / speed) * 2 * o.step * speed / (last * L);
     }
     const double complex contact = o.law.stiffness + I * omega * o.law.damping;
-    const double complex want = amplitude / (1 / contact + half_set(v, omega) + receptance(omega, speed, DAMPING, b->J));
-    ok(!why && cabs(got / want - 1) < 0.01, "%s, waves of %g m at %g m/s, %.0f Hz: Q %.1f N, %.1f deg, Winkler %.1f N, %.1f deg (%.2f %%)%s%s", b->name, L, speed,
+    const double complex want = amplitude / (1 / contact + half_set(v, omega) + winkler_receptance(omega, speed, DAMPING, b->J, FINE));
+    ok(!why && cabs(got / want - 1) < 0.01, "%s, waves of %g m at %g m/s, %.0f Hz: Q %.1f N, %.1f deg, Winkler %.1f N, %.1f deg (%.2f %%)%s%s", b->name,
+       L, speed,
        omega / (2 * M_PI), cabs(got), carg(got) * 180 / M_PI, cabs(want), carg(want) * 180 / M_PI, 100 * cabs(got / want - 1), why ? ": " : "",
        why ? why : "");
     passage_free(&p);
@@ -139,7 +119,7 @@ int main(void)
     struct trk consistent, light;
     struct veh vehicle;
     struct rig_table table[2];
-    const char *why = rig_track(&consistent, RIG_STRAIGHT, support, sizeof support / sizeof *support);
+    const char *why = rig_track(&consistent, RIG_STRAIGHT, winkler_beam, sizeof winkler_beam / sizeof *winkler_beam);
     const char *also = rig_track(&light, RIG_STRAIGHT, lumped, sizeof lumped / sizeof *lumped), *last = rig_vehicle(&vehicle, RIG_WHEELSET, NULL, 0);
     const struct beam_run run[] = {{&consistent, WAY_IMPLICIT, 0, 2e-5, "consistent mass, implicit"},
                                    {&light, WAY_IMPLICIT, LUMPED, 2e-5, "lumped mass, implicit"},
