@@ -31,8 +31,6 @@ static void check_track(const char *path, const struct case_text *c, const struc
 {
     int curved = 0;
 
-    if (trk_is_spatial(t))
-        cli_die("%s: a spatial track has receptance, modes and statics; a train wants dofs: vertical", path);
     for (int64_t i = 0; i < t->curves; i++)
         curved |= fabs(t->curvature[i]) > 0;
     if (c->route == CASE_DIVERGING && !curved)

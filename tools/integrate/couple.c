@@ -14,6 +14,7 @@
 enum { ROUNDS_MOST = 20, PASSES_MOST = 30 };
 #define PRESS_TOLERANCE 1e-6 /* N between the wheels of a set */
 #define RAIL_TOLERANCE 1e-10 /* m of the rail under a wheel: 0.1 N */
+#define SIDE_TOLERANCE 1e-2  /* N of a lateral force */
 
 static int64_t wheels(const struct passage *p)
 {
@@ -32,6 +33,11 @@ static void foresee(struct passage *p)
         struct couple *c = &p->couple[k];
         c->applied = fmax(2 * p->memory[k].Q - p->memory[k].Q_before, 0);
         way_load(&p->rails, (int)(k % 2), &c->place, c->applied);
+        if (trk_is_spatial(p->track)) {
+            lateral_foresee(&c->side, &p->memory[k]);
+            c->side.applied = c->side.F;
+            way_load_head(&p->rails, &c->place.head, &c->side.F);
+        }
     }
 }
 
@@ -47,7 +53,21 @@ static void set_rate(struct couple *c, const struct wheel_memory *memory, double
     c->in.past = c->in.time * past / h;
 }
 
-static const char *meet(struct passage *p, int64_t k)
+/* The check rail as it is without the force of this wheel; what its element yields changes by a backward difference. */
+static void look_check(const struct passage *p, int64_t k, struct couple *c)
+{
+    const double force = c->check_applied, b = c->check.b + c->check.height * c->check.height * c->check.t;
+    struct head_motion m;
+    double turn, yield[3] = {0};
+
+    way_look_head(&p->rails, &c->check, &m, &turn, yield);
+    c->in.check_y = m.y - yield[0] * force;
+    c->in.check_vy = m.v + c->in.v * m.slope - c->rail.quick * yield[0] * force - b * p->memory[k].check / p->o.step;
+    c->in.check_give = b + yield[0];
+    c->in.check_quick = b / p->o.step + c->rail.quick * yield[0];
+}
+
+static void look(struct passage *p, int64_t k)
 {
     struct couple *c = &p->couple[k];
 
@@ -55,6 +75,17 @@ static const char *meet(struct passage *p, int64_t k)
     set_rate(c, &p->memory[k], p->o.step);
     c->approach.d = c->rail.give > 0 ? c->in.compliance * c->applied : p->memory[k].local;
     c->Q = c->applied;
+    lateral_begin(&c->side);
+    if (c->checked)
+        look_check(p, k, c);
+}
+
+static const char *meet(struct passage *p, int64_t k)
+{
+    struct couple *c = &p->couple[k];
+
+    if (trk_is_spatial(p->track))
+        lateral_stand(&c->side, &c->place, &c->rail, &p->memory[k], p->o.step, &c->in);
     const char *why = wheel_meet(&c->in, &c->approach);
     return why ? at_wheel(p, k, why) : NULL;
 }
@@ -85,8 +116,9 @@ static const char *press(struct passage *p, int64_t i)
     return change > PRESS_TOLERANCE ? at_wheel(p, 2 * i, reason("contact forces of the wheelset still change by %.3g N", change)) : NULL;
 }
 
-/* Wheel and rail approach more slowly by what the rail gives; the element's own part is not in creepages. */
-static void roll(struct passage *p, int64_t k)
+/* Wheel and rail approach more slowly by what the rail gives; the element's own part is not in creepages.  Returns by how much the lateral
+ * force on a spatial rail is off, N. */
+static double roll(struct passage *p, int64_t k)
 {
     struct couple *c = &p->couple[k];
     struct wheel_output *w = &p->wheel[k];
@@ -94,24 +126,69 @@ static void roll(struct passage *p, int64_t k)
     for (int j = 0; j < c->approach.n; j++)
         c->approach.rate[j] -= c->rail.quick * c->rail.give * c->Q;
     wheel_roll(&p->o.law, &c->in, &c->approach, &p->memory[k], w);
+    c->made = lateral_force(p->track, (int)(k % 2), &c->in, w);
     check_rail_add(p->track, (int)(k % 2), &c->in, w);
+    return trk_is_spatial(p->track) ? lateral_seek(&c->side, &c->place, &c->rail, &c->made, w->creep_damping, p->o.step) : 0;
+}
+
+/* The rails get what differs from what they have. */
+static void load(struct passage *p, int64_t k)
+{
+    struct couple *c = &p->couple[k];
+    const struct wheel_output *w = &p->wheel[k];
+
     way_load(&p->rails, (int)(k % 2), &c->place, w->Q - c->applied);
     c->applied = w->Q;
+    if (trk_is_spatial(p->track)) {
+        way_load_head(&p->rails, &c->place.head, &(struct head_force){c->made.Y - c->side.applied.Y, c->made.M - c->side.applied.M});
+        c->side.F = c->side.applied = c->made;
+    }
+    if (c->checked) {
+        way_load_head(&p->rails, &c->check, &(struct head_force){w->check - c->check_applied, 0});
+        c->check_applied = w->check;
+    }
+}
+
+/* Once, or where rails yield to the side until that agrees too. */
+static const char *meet_wheelset(struct passage *p, int64_t i)
+{
+    const int again = trk_is_spatial(p->track) && way_yields(&p->rails);
+    double off = HUGE_VAL;
+    const char *why = NULL;
+
+    for (int side = 0; side < 2; side++)
+        look(p, 2 * i + side);
+    for (int pass = 0; pass < (again ? PASSES_MOST : 1) && off > SIDE_TOLERANCE && !why; pass++) {
+        for (int side = 0; side < 2 && !why; side++)
+            why = meet(p, 2 * i + side);
+        if (!why)
+            why = press(p, i);
+        off = 0;
+        for (int side = 0; side < 2 && !why; side++)
+            off = fmax(off, fabs(roll(p, 2 * i + side)));
+    }
+    for (int side = 0; side < 2 && !why; side++)
+        load(p, 2 * i + side);
+    return why;
 }
 
 static const char *round_of_forces(struct passage *p)
 {
     const char *why = NULL;
 
-    for (int64_t i = 0; i < p->vehicle->wheelsets && !why; i++) {
-        for (int side = 0; side < 2 && !why; side++)
-            why = meet(p, 2 * i + side);
-        if (!why)
-            why = press(p, i);
-        for (int side = 0; side < 2 && !why; side++)
-            roll(p, 2 * i + side);
-    }
+    for (int64_t i = 0; i < p->vehicle->wheelsets && !why; i++)
+        why = meet_wheelset(p, i);
     return why;
+}
+
+/* m, to the side: where the head is under the forces now on the rails, and where they were found. */
+static double head_off(const struct passage *p, int64_t k, const struct way_rail *now)
+{
+    const struct couple *c = &p->couple[k];
+    struct wheel_input in = c->in;
+
+    lateral_stand(&c->side, &c->place, now, &p->memory[k], p->o.step, &in);
+    return fabs(in.rail_y - c->in.rail_y);
 }
 
 /* m, the largest difference between where rails are and where the forces took them to be; *at is the wheel. */
@@ -124,12 +201,24 @@ static double disagreement(const struct passage *p, int64_t *at)
         struct way_rail now;
         way_look(&p->rails, (int)(k % 2), &c->place, &now);
         double off = fabs(now.z - c->in.rail_z - c->rail.give * c->Q);
+        if (trk_is_spatial(p->track))
+            off = fmax(off, head_off(p, k, &now));
         if (!(off <= most)) {
             most = off;
             *at = k;
         }
     }
     return most;
+}
+
+static void account_heads(struct passage *p, int64_t k)
+{
+    const struct couple *c = &p->couple[k];
+    const struct wheel_memory *memory = &p->memory[k];
+
+    energy_work_head(&p->energy, &p->rails, &c->left.head, &(struct head_force){memory->Y, memory->M}, &c->place.head, &c->made);
+    energy_work_head(&p->energy, &p->rails, &c->check_left, &(struct head_force){memory->check, 0}, &c->check,
+                     &(struct head_force){c->checked ? p->wheel[k].check : 0, 0});
 }
 
 static void remember(struct passage *p)
@@ -141,8 +230,15 @@ static void remember(struct passage *p)
         memory->local = c->rail.give > 0 ? c->rail.local * c->Q : c->approach.d;
         if (p->o.account && p->n > 0)
             energy_work(&p->energy, &p->rails, (int)(k % 2), &c->left, memory->Q, &c->place, p->wheel[k].Q);
+        if (p->o.account && p->n > 0 && trk_is_spatial(p->track))
+            account_heads(p, k);
         memory->Q_before = memory->Q;
         memory->Q = p->wheel[k].Q;
+        memory->Y_before = memory->Y;
+        memory->Y = c->made.Y;
+        memory->M_before = memory->M;
+        memory->M = c->made.M;
+        memory->check = c->checked ? p->wheel[k].check : 0;
     }
 }
 
@@ -155,7 +251,11 @@ const char *couple_wheels(struct passage *p)
     for (int64_t k = 0; k < wheels(p); k++) {
         p->couple[k].left = p->couple[k].place;
         p->couple[k].place = passage_place(p, k / 2, (int)(k % 2));
-        p->couple[k].applied = 0;
+        p->couple[k].applied = p->couple[k].check_applied = 0;
+        p->couple[k].side = (struct lateral){.F = {p->memory[k].Y, p->memory[k].M}, .applied = {p->memory[k].Y, p->memory[k].M}};
+        p->couple[k].check_left = p->couple[k].check;
+        p->couple[k].checked = p->track->check_nodes > 0 && *p->track->check_rail == k % 2 &&
+                               head_find_check(&p->couple[k].check, p->track, passage_wheel_station(p, k / 2));
     }
     if (yields)
         foresee(p);

@@ -45,6 +45,9 @@ static double descended(const struct trk *t, const double *u, double g)
             for (int64_t p = t->Ap[j]; p < t->Ap[j + 1]; p++)
                 sum += t->Mx[p] * u[t->Ai[p]] * g;
         }
+    for (int64_t i = 0; i < t->check_nodes; i++)
+        for (int64_t p = t->Ap[t->check_dof[i]]; p < t->Ap[t->check_dof[i] + 1]; p++)
+            sum += t->Mx[p] * u[t->Ai[p]] * g;
     for (int64_t i = 0; i < t->sleepers; i++)
         sum += t->sleeper_mass[i] * u[t->sleeper_dof[i]] * g;
     return sum;
@@ -110,7 +113,20 @@ CLONES static void lose_in_ballast(int64_t n, double h, const double *restrict v
     }
 }
 
-void energy_lose(struct energy *e, const struct way *w)
+/* F.(u - u0) */
+static double work_of(const struct newmark *m, const struct head_place *p, const struct head_force *F)
+{
+    return F->Y * (direction_sample(&p->y, m->u) - direction_sample(&p->y, m->u0)) +
+           F->M * (direction_sample(&p->twist, m->u) - direction_sample(&p->twist, m->u0));
+}
+
+void energy_work_head(struct energy *e, const struct way *w, const struct head_place *before, const struct head_force *F_before,
+                      const struct head_place *now, const struct head_force *F_now)
+{
+    e->work += 0.5 * (work_of(&w->newmark, before, F_before) + work_of(&w->newmark, now, F_now));
+}
+
+void energy_lose(struct energy *e, struct way *w)
 {
     const struct lumped *l = &w->lumped;
     const int64_t k = l->stride, n = w->track->sleepers;

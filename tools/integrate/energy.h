@@ -24,8 +24,12 @@ void energy_begin(struct energy *e, const struct way *w);
 void energy_work(struct energy *e, const struct way *w, int rail, const struct wheel_place *before, double F_before,
                  const struct wheel_place *now, double F_now);
 
+/* The same of the force on a rail's head. */
+void energy_work_head(struct energy *e, const struct way *w, const struct head_place *before, const struct head_force *F_before,
+                      const struct head_place *now, const struct head_force *F_now);
+
 /* What the dampers took in the step: after way_finish. */
-void energy_lose(struct energy *e, const struct way *w);
+void energy_lose(struct energy *e, struct way *w);
 
 /* J, stored since the beginning, and lost.  Returns what of the work is neither, over the loss. */
 double energy_end(const struct energy *e, const struct way *w, double *stored, double *lost);

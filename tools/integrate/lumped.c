@@ -140,6 +140,8 @@ const char *lumped_new(struct lumped *l, const struct trk *t, double gravity)
 
     *l = (struct lumped){.track = t, .n = t->sleepers, .gravity = gravity};
     l->stride = (t->sleepers + LANES - 1) / LANES * LANES;
+    if (trk_is_spatial(t))
+        return "the explicit scheme does not move rails sideways: dofs: vertical, or the implicit one";
     if (!is_lumped(t))
         return "the explicit scheme wants lumped Euler-Bernoulli rails with one rail node above every sleeper: mass_model: lumped, beam: euler, "
                "elements_per_bay: 1";

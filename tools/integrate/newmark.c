@@ -90,6 +90,8 @@ static void set_weight(struct newmark *m, double gravity)
 
     for (int64_t i = 0; i < t->nodes; i++)
         e[trk_rail_dof(t, TRK_LEFT, i)] = e[trk_rail_dof(t, TRK_RIGHT, i)] = gravity;
+    for (int64_t i = 0; i < t->check_nodes; i++)
+        e[t->check_dof[i]] = gravity;
     for (int64_t i = 0; i < t->sleepers; i++)
         e[t->sleeper_dof[i]] = gravity;
     banded_multiply(&m->M, e, m->weight);
@@ -120,7 +122,7 @@ static int element_span(const struct trk *t)
     int64_t most = 0;
 
     for (int64_t i = 0; i + 1 < t->nodes; i++) {
-        int64_t span = trk_rail_dof(t, TRK_RIGHT, i + 1) + 1 - t->node_dof[i];
+        int64_t span = trk_rail_dof(t, TRK_RIGHT, i + 1) + t->rail_dofs - 1 - t->node_dof[i];
         most = span > most ? span : most;
     }
     return (int)most;
@@ -326,9 +328,28 @@ void newmark_finish(struct newmark *m)
     show_sleepers(m);
 }
 
-/* c e^2/h, e the extension of the step. */
-void newmark_lose(const struct newmark *m, double *lost)
+/* e' C e/h, e the motion of the step. */
+static double lose_all(struct newmark *m)
 {
+    double sum = 0;
+
+    for (int64_t i = 0; i < m->n; i++) {
+        m->moved[i] = m->u[i] - m->u0[i];
+        m->displaced[i] = 0;
+    }
+    banded_multiply(&m->C, m->moved, m->displaced);
+    for (int64_t i = 0; i < m->n; i++)
+        sum += m->moved[i] * m->displaced[i];
+    return sum / m->h;
+}
+
+/* c e^2/h, e the extension of the step. */
+void newmark_lose(struct newmark *m, double *lost)
+{
+    if (trk_is_spatial(m->track)) {
+        *lost += lose_all(m);
+        return;
+    }
     const struct trk *t = m->track;
     const int64_t n = t->sleepers;
 
@@ -381,6 +402,13 @@ double newmark_rate(const struct newmark *m, int rail, const struct wheel_place 
     const double v0 = newmark_sample(m, rail, p, f, m->v);
 
     return m->solved ? 2 / m->h * newmark_moved(m, rail, p, f) - v0 : v0;
+}
+
+double newmark_speed(const struct newmark *m, const struct direction *d)
+{
+    const double v0 = direction_sample(d, m->v);
+
+    return m->solved ? 2 / m->h * (direction_sample(d, m->u) - direction_sample(d, m->u0)) - v0 : v0;
 }
 
 double newmark_give(const struct newmark *m, const struct wheel_place *p, int to, const double f[4], int from)

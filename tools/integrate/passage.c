@@ -181,6 +181,12 @@ void passage_wheel_input(const struct passage *p, int64_t i, int side, const str
     in->compliance = rail->local;
     in->rail_y = p->sideways.y[2 * i + side];
     in->rail_vy = p->sideways.v[2 * i + side];
+    in->rail_turn = in->rail_roll = in->rail_vroll = 0;
+    in->check_y = in->check_vy = in->check_give = in->check_quick = 0;
+    if (trk_is_spatial(p->track)) {
+        const struct wheel_memory *m = &p->memory[2 * i + side];
+        lateral_stand(&(struct lateral){.F = {m->Y, m->M}, .applied = {m->Y, m->M}}, place, rail, m, p->o.step, in);
+    }
     excitation_find(&p->excitation, in->s, i, side, p->vehicle->radius[i], &at);
     in->dip = at.z;
     in->dip_slope = at.z_slope;
@@ -206,7 +212,8 @@ const char *passage_forces(struct passage *p)
     train_locate(&p->train, &p->alignment, p->station);
     if ((why = couple_wheels(p)))
         return why;
-    sideways_accelerate(&p->sideways, p->track, p->follows, p->o.step, p->wheel);
+    if (!trk_is_spatial(p->track))
+        sideways_accelerate(&p->sideways, p->track, p->follows, p->o.step, p->wheel);
     way_finish(&p->rails);
     if (p->o.account && p->n > 0)
         energy_lose(&p->energy, &p->rails);

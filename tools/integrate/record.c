@@ -243,7 +243,7 @@ static void sample_wheels(const struct record *r, const struct passage *p)
         put(r, RUN_T, k, w->T);
         put(r, RUN_CHECK, k, w->check);
         put(r, RUN_MX, k, w->Mx);
-        put(r, RUN_RAIL_Y, k, p->sideways.y[k]);
+        put(r, RUN_RAIL_Y, k, p->couple[k].in.rail_y);
         put(r, RUN_RAIL_Z, k, w->rail_z);
         for (int j = 0; j < RUN_CONTACTS; j++) {
             const struct wheel_patch *c = j < w->patches ? &w->patch[j] : &none;

@@ -40,7 +40,11 @@ static void track_loads(struct rest *r)
         int s = (int)(k % 2);
         struct wheel_place at = passage_place(r->p, k / 2, s);
         for (int j = 0; j < 4; j++)
-            r->f[t->node_dof[at.node + j / 2] + 2 * s + j % 2] += at.shape[j] * r->load[k];
+            r->f[trk_rail_dof(t, s, at.node + j / 2) + j % 2] += at.shape[j] * r->load[k];
+        if (trk_is_spatial(t)) {
+            direction_load(&at.head.y, r->p->memory[k].Y, r->f);
+            direction_load(&at.head.twist, r->p->memory[k].M, r->f);
+        }
     }
 }
 
@@ -79,7 +83,7 @@ static const char *seek_height(struct rest *r, int64_t k, double *z)
     low = in.rail_z - 0.02;
     high = in.rail_z + 0.02;
     for (int i = 0; i < HEIGHT_MOST; i++) {
-        struct wheel_memory memory = {.local = in.compliance * load};
+        struct wheel_memory memory = {.local = in.compliance * load, .Y = p->memory[k].Y, .M = p->memory[k].M};
         const char *why;
         in.z = 0.5 * (low + high);
         for (int j = 0; j < 3; j++) /* the creep force enters a step late */
@@ -91,7 +95,13 @@ static const char *seek_height(struct rest *r, int64_t k, double *z)
         *(out.Q < load ? &low : &high) = in.z;
     }
     *z = in.z;
-    if (*p->track->lateral_k > 0 && (!p->follows || *p->track->sleeper_lateral_k > 0)) { /* else both sides push on one mass */
+    if (trk_is_spatial(p->track)) {
+        const struct head_force F = lateral_force(p->track, (int)(k % 2), &in, &out);
+        struct wheel_memory *m = &p->memory[k];
+        r->shift = fmax(r->shift, fabs(F.Y - m->Y));
+        m->Y = m->Y_before = F.Y; /* the next round has it */
+        m->M = m->M_before = F.M;
+    } else if (*p->track->lateral_k > 0 && (!p->follows || *p->track->sleeper_lateral_k > 0)) { /* else both sides push on one mass */
         r->shift = fmax(r->shift, fabs(out.Y - *p->track->lateral_k * p->sideways.y[k]));
         p->sideways.y[k] = out.Y / *p->track->lateral_k; /* the next round has it */
     }
@@ -303,6 +313,8 @@ static const char *begin(struct passage *p, double *residual)
     for (size_t k = 0; k < (size_t)(2 * p->vehicle->wheelsets); k++) {
         p->memory[k].before = p->memory[k].local;
         p->memory[k].Q_before = p->memory[k].Q;
+        p->memory[k].Y_before = p->memory[k].Y;
+        p->memory[k].M_before = p->memory[k].M;
     }
     if (p->o.account)
         passage_account(p);

@@ -1,6 +1,7 @@
 #include "tools/integrate/way.h"
 #include "formats/reason.h"
 #include "tools/integrate/two_step.h"
+#include "tools/track/rails.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -89,8 +90,6 @@ const char *way_new(struct way *w, const struct trk *t, double gravity, double s
     const char *why;
 
     *w = (struct way){.scheme = scheme, .because = "the case asks for it", .track = t, .gravity = gravity, .step = step, .limit = HUGE_VAL, .at_rest = 1};
-    if (trk_is_spatial(t))
-        return "wheels do not move the rails of a spatial track sideways yet: a run wants dofs: vertical";
     why = scheme == WAY_AUTO ? choose(w, gravity) : scheme == WAY_EXPLICIT ? begin_explicit(w, gravity) : begin_implicit(w, gravity);
     if (why)
         way_free(w);
@@ -171,7 +170,15 @@ void way_advance(struct way *w)
 
 struct wheel_place way_find(const struct way *w, int rail, double x)
 {
-    return wheel_place_find(w->track, is_explicit(w) ? w->lumped.beam[rail] : w->newmark.beam[rail], x);
+    const struct trk *t = w->track;
+    struct wheel_place p = wheel_place_find(t, is_explicit(w) ? w->lumped.beam[rail] : w->newmark.beam[rail], x);
+
+    if (trk_is_spatial(t)) {
+        const struct beam b = rails_lateral_beam(t, rail, p.node);
+        head_find(&p.head, &b, t->rail_torsion[rail * (t->nodes - 1) + p.node], x - b.from, *t->rail_head, trk_rail_dof(t, rail, p.node),
+                  trk_rail_dof(t, rail, p.node + 1));
+    }
+    return p;
 }
 
 void way_load(struct way *w, int rail, const struct wheel_place *p, double F)
@@ -180,6 +187,12 @@ void way_load(struct way *w, int rail, const struct wheel_place *p, double F)
         lumped_load(&w->lumped, rail, p, F);
     else
         newmark_load(&w->newmark, rail, p, F);
+}
+
+void way_load_head(struct way *w, const struct head_place *p, const struct head_force *F)
+{
+    direction_load(&p->y, F->Y, w->newmark.f);
+    direction_load(&p->twist, F->M, w->newmark.f);
 }
 
 /* At rest the implicit one stays where statics put it. */
@@ -228,6 +241,22 @@ void way_look(const struct way *w, int rail, const struct wheel_place *p, struct
         look_newmark(&w->newmark, rail, p, r);
     if (way_yields(w))
         look_give(&w->newmark, rail, p, r);
+    if (trk_is_spatial(w->track))
+        way_look_head(w, &p->head, &r->head, &r->head_turn, r->yield);
+}
+
+void way_look_head(const struct way *w, const struct head_place *p, struct head_motion *h, double *turn, double yield[3])
+{
+    const struct newmark *m = &w->newmark;
+
+    *h = (struct head_motion){direction_sample(&p->y, m->u), newmark_speed(m, &p->y), direction_sample(&p->slope, m->u),
+                              direction_sample(&p->twist, m->u), newmark_speed(m, &p->twist)};
+    *turn = direction_sample(&p->turn, m->u);
+    if (!way_yields(w))
+        return;
+    yield[0] = direction_give(&p->y, &p->y, m->Z, m->beyond);
+    yield[1] = direction_give(&p->y, &p->twist, m->Z, m->beyond);
+    yield[2] = direction_give(&p->twist, &p->twist, m->Z, m->beyond);
 }
 
 double way_acceleration(const struct way *w, int rail, const struct wheel_place *p)

@@ -25,24 +25,26 @@ const char *wheel_meet(const struct wheel_input *in, struct wheel_approach *a)
 {
     double u = in->y - in->roll * in->radius - in->rail_y - in->line;
 
-    a->n = contact_lookup(in->table, in->s, in->yaw - in->line_slope, u, in->roll, a->c);
+    a->n = contact_lookup(in->table, in->s, in->yaw - in->line_slope - in->rail_turn, u, in->roll - in->rail_roll, a->c);
     if (a->n < 0)
         return reason("the wheel is %.1f mm beside its rail, which is beyond the contact table", 1e3 * u);
-    for (int k = 0; k < a->n; k++)
+    for (int k = 0; k < a->n; k++) {
+        a->c[k].row[CTAB_ANGLE] += in->rail_roll;
         a->cosg[k] = cos(a->c[k].row[CTAB_ANGLE]);
+    }
     return NULL;
 }
 
 /* reach = z + roll b - height(u, roll, s) - rail - dip, all vertical, b the running circle's y. */
 static void find_reach(const struct wheel_input *in, struct wheel_approach *a)
 {
-    double b = in->table->wheel_position, vu = in->vy - in->vroll * in->radius - in->rail_vy - in->line_slope * in->v;
+    double b = in->table->wheel_position, vu = in->vy - in->vroll * in->radius - in->rail_vy - (in->line_slope + in->rail_turn) * in->v;
 
     for (int k = 0; k < a->n; k++) {
         const struct contact *c = &a->c[k];
         a->reach[k] = in->z + in->roll * b - c->height - in->rail_z - in->dip;
-        a->rate[k] = in->vz + in->vroll * b - c->height_u * vu - c->height_roll * in->vroll - c->height_yaw * in->vyaw - c->height_s * in->v -
-                     in->rail_v - in->rail_slope * in->v - in->dip_slope * in->v;
+        a->rate[k] = in->vz + in->vroll * b - c->height_u * vu - c->height_roll * (in->vroll - in->rail_vroll) - c->height_yaw * in->vyaw -
+                     c->height_s * in->v - in->rail_v - in->rail_slope * in->v - in->dip_slope * in->v;
     }
 }
 

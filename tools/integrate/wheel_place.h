@@ -5,6 +5,7 @@
 #define VX_INTEGRATE_WHEEL_PLACE_H
 
 #include "formats/trk.h"
+#include "tools/integrate/head.h"
 #include "tools/track/beam.h"
 
 struct wheel_place {
@@ -12,6 +13,7 @@ struct wheel_place {
     double shape[4];      /* of [w t w t] */
     double slope[4];      /* 1/m their derivatives by x */
     double compliance;    /* m/N of the loaded element with held ends */
+    struct head_place head;    /* of a spatial rail, by way_find alone */
 };
 
 /* The element, by the node behind, under station x. */
