@@ -3,30 +3,33 @@
  * In: a case (YAML), a track (.trk), a vehicle (.veh), contact tables of both sides (.ctab), perhaps creep forces (.creep).  Out: a .run, written while
  * the train runs and renamed when it is complete.  Axes: x forward, y to the right, z down; forces are those of the wheel on the rail.
  * Method: integrate/passage.h, integrate/way.h.  Arrays read: all of the inputs.  Arrays written: run(5). */
+#include "tools/cli/batch.h"
 #include "tools/cli/inputs.h"
-#include "tools/cli/states.h"
+#include "tools/cli/progress.h"
 #include "tools/integrate/options.h"
 #include "tools/integrate/record.h"
 #include "tools/integrate/start.h"
+#include "tools/integrate/states.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
 #include <time.h>
-#include <unistd.h>
 
 static const char usage[] =
     "vxrun [-v] [--track T.trk] [--vehicle V.veh] [--contact-left L.ctab] [--contact-right R.ctab]\n"
     "      [--creep C.creep] [--set KEY=VALUE]... [--start STATE] [--save-state STATION] [-o OUT.run] CASE.yaml\n"
+    "vxrun --batch FILE [--jobs N] [OPTION]... CASE.yaml\n"
     "vxrun --schema | --master";
 
 static struct {
     struct inputs_options in;
-    const char *start, *out;
+    const char *start, *out, *batch;
     double save;                 /* m; NAN where no state is wanted */
+    int64_t jobs;
     int verbose, schema, master;
-} opt = {.save = NAN};
+} opt;
 
 static const struct cli_option options[] = {
     {.name = "track", .type = CLI_TEXT, .value = &opt.in.track},
@@ -37,6 +40,8 @@ static const struct cli_option options[] = {
     {.name = "set", .type = CLI_LIST, .value = &opt.in.set},
     {.name = "start", .type = CLI_TEXT, .value = &opt.start},
     {.name = "save-state", .type = CLI_NUM, .value = &opt.save, .lo = -1e9, .hi = 1e9},
+    {.name = "batch", .type = CLI_TEXT, .value = &opt.batch},
+    {.name = "jobs", .type = CLI_INT, .value = &opt.jobs, .lo = 1, .hi = 64},
     {.name = "schema", .type = CLI_FLAG, .value = &opt.schema},
     {.name = "master", .type = CLI_FLAG, .value = &opt.master},
     {.name = "v", .type = CLI_FLAG, .value = &opt.verbose},
@@ -51,22 +56,74 @@ static const struct cli_program program = {
     .option = options,
 };
 
-/* The operand, or NULL where the schema or the master file is asked for. */
+/* The case, or NULL where the schema or the master file is asked for. */
 static const char *parse(int argc, char **argv)
 {
     int n, asks;
-    char **operand = cli_begin(&program, argc, argv, 0, 1, &n);
+    char **operand;
 
+    memset(&opt, 0, sizeof opt);
+    opt.save = NAN;
+    operand = cli_begin(&program, argc, argv, 0, 1, &n);
     asks = opt.schema + opt.master;
     if (asks > 1)
         cli_misuse("--schema and --master exclude each other");
-    if (asks && (n || opt.in.track || opt.in.vehicle || opt.in.left || opt.in.right || opt.in.creep || opt.in.set.n || opt.out))
+    if (asks && (n || opt.in.track || opt.in.vehicle || opt.in.left || opt.in.right || opt.in.creep || opt.in.set.n || opt.out || opt.batch))
         cli_misuse("--%s stands alone", opt.schema ? "schema" : "master");
     if (!asks && !n)
         cli_misuse("the case is missing (-h shows the usage)");
-    if (!isnan(opt.save) && !opt.out)
+    if (opt.batch && opt.out)
+        cli_misuse("--batch: every line names its own -o");
+    if (opt.jobs && !opt.batch)
+        cli_misuse("--jobs is of a batch");
+    if (!isnan(opt.save) && !opt.out && !opt.batch)
         cli_misuse("--save-state wants -o: the state goes beside the run");
     return asks ? NULL : operand[0];
+}
+
+static struct states_origin origin(const struct inputs *in)
+{
+    return (struct states_origin){vxf_content(&in->file[1]), {vxf_content(&in->file[2]), vxf_content(&in->file[3])}, in->hash, &in->file[0]};
+}
+
+/* Into the .state beside the .run. */
+static void save_state(struct passage *p, const struct inputs *in, const char *failed)
+{
+    const size_t n = strlen(opt.out), end = n > 4 && strcmp(opt.out + n - 4, ".run") == 0 ? n - 4 : n;
+    const struct states_origin from = origin(in);
+    char *path = calloc(end + sizeof ".state", 1);
+    double *rest = NULL;
+    struct vxf_out o;
+
+    if (!path)
+        cli_die(REASON_MEMORY);
+    snprintf(path, end + sizeof ".state", "%.*s.state", (int)end, opt.out);
+    vxf_out_begin(&o, "state");
+    inputs_put(in, &o);
+    cli_check(path, states_put(p, &from, failed, &o, &rest));
+    cli_write(&o, path);
+    vxf_out_free(&o);
+    free(rest);
+    free(path);
+}
+
+/* What differs is told; what must not, refused. */
+static void resume(struct passage *p, const struct inputs *in, const struct vxf *file)
+{
+    const struct states_origin from = origin(in);
+    struct state_difference differs[STATE_DIFFERENCES];
+    struct state s;
+    int n;
+
+    cli_check(opt.start, states_resume(p, &from, file, &s, differs, &n));
+    for (int k = 0; k < n; k++)
+        cli_note("%s of the track differs from %.2f to %.2f m, beyond the state's reach from %.2f to %.2f m", differs[k].name,
+                 differs[k].from, differs[k].to, s.reach[0], s.reach[1]);
+    for (int side = 0; side < 2; side++)
+        if (s.contact[side] != from.contact[side])
+            cli_note("the %s contact table is not that of the state", side ? "right" : "left");
+    if (s.text != from.text)
+        cli_note("the case is not that of the state");
 }
 
 static double seconds(void)
@@ -77,21 +134,7 @@ static double seconds(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-static void show_progress(const struct passage *p)
-{
-    static int64_t shown, first;
-    static double began;
-
-    if (!shown) {
-        shown = first = p->n - 1;
-        began = seconds();
-    }
-    if ((p->n - shown) * 50 >= p->steps && isatty(STDERR_FILENO)) {
-        shown = p->n;
-        fprintf(stderr, "\r%s %3.0f %%  s = %.1f m  %.0f s left  %s", program.name, 100.0 * (double)p->n / (double)p->steps, p->station,
-                (seconds() - began) * (double)(p->steps - p->n) / (double)(p->n - first), p->n == p->steps ? "\n" : "");
-    }
-}
+static struct progress progress = {seconds, 0, 0, 0, 0};
 
 /* The header goes out first, then blocks as they fill, then the extremes.  A passage that fails leaves its samples up to there. */
 static void write_run(struct passage *p, const struct inputs *in, struct record *r, struct vxf_out *head, struct cli_out *out)
@@ -109,8 +152,8 @@ static void write_run(struct passage *p, const struct inputs *in, struct record 
         if (why || (failed = passage_step(p)))
             break;
         if (!saved && (saved = p->station >= opt.save))
-            states_save(p, in, opt.out, NULL);
-        show_progress(p);
+            save_state(p, in, NULL);
+        progress_show(&progress, p->n, p->steps, "s", p->station, "m");
     }
     record_end(r, p->n);
     if (!why)
@@ -120,7 +163,8 @@ static void write_run(struct passage *p, const struct inputs *in, struct record 
     cli_check(opt.out ? opt.out : "standard output", why);
     if (failed) {
         snprintf(reason_kept, sizeof reason_kept, "%s", failed);
-        states_leave(p, in, opt.out, reason_kept);
+        if (opt.out && in->files > 1 && states_are_finite(p))      /* for a post-mortem */
+            save_state(p, in, reason_kept);
         cli_die("run: %s", reason_kept);
     }
 }
@@ -158,7 +202,8 @@ static void account(const struct passage *p, int64_t first, double begun, double
              1e6 * (seconds() - started) / (double)done, used.ru_maxrss / 1024);
 }
 
-int main(int argc, char **argv)
+/* The passage of the command as parsed.  What `kept`, or NULL, has read already is taken from there. */
+static void run(const char *path, const struct inputs *kept)
 {
     static struct inputs in;
     static struct passage p;
@@ -170,13 +215,8 @@ int main(int argc, char **argv)
     struct cli_out out;
     double begun = seconds(), started, residual = 0;
     int64_t every, first;
-    const char *path = parse(argc, argv);
 
-    if (!path) {
-        (opt.schema ? yaml_print_schema : yaml_print_master)(&case_text_schema, stdout);
-        return cli_end();
-    }
-    inputs_read(&in, path, &opt.in);
+    inputs_read(&in, path, &opt.in, kept);
     if (in.files == 1 && (opt.start || !isnan(opt.save)))
         cli_misuse("a state is of a train: --start and --save-state do not go with a prescribed force");
     if (opt.start) {
@@ -194,7 +234,7 @@ int main(int argc, char **argv)
     o.account = opt.verbose && !o.exciter;
     cli_check("case", passage_new(&p, &o, &in.track, &in.vehicle, &in.table[0], &in.table[1]));
     if (opt.start)
-        states_resume(&p, &in, opt.start, &state);
+        resume(&p, &in, &state);
     else
         cli_check("start", passage_start(&p, &residual));
     cli_check("run", record_new(&r, &p, in.text.channels.group, every, in.text.filter));
@@ -214,5 +254,45 @@ int main(int argc, char **argv)
     exciter_free(&e);
     vxf_close(&state);
     inputs_release(&in);
-    return cli_end();
+}
+
+/* In the child of a line, its command and then its passage; in the parent whether all went well. */
+static int run_batch(const char *path, int argc, char **argv)
+{
+    static const char *const own[] = {"--batch", "--jobs", NULL};
+    static struct inputs kept;
+    struct batch batch;
+    int failed, n, operand = argc - 1;
+
+    batch_read(&batch, opt.batch);
+    inputs_read(&kept, path, &opt.in, NULL);
+    const struct batch_line *line = batch_run(&batch, opt.jobs ? opt.jobs : 1, &failed);
+    if (line) {
+        char **words = batch_command(line, argc, argv, operand, own, &n);
+        path = parse(n, words);
+        if (!path || opt.batch)
+            cli_misuse("%s: line %ld: asks for more than a run", batch.path, line->number);
+        progress.quiet = 1;
+        run(path, &kept);
+        free(words);
+    }
+    batch_free(&batch);
+    if (!line)
+        inputs_release(&kept);
+    return !line && failed > 0;
+}
+
+int main(int argc, char **argv)
+{
+    const char *path = parse(argc, argv);
+    int failed = 0;
+
+    if (!path)
+        (opt.schema ? yaml_print_schema : yaml_print_master)(&case_text_schema, stdout);
+    else if (opt.batch)
+        failed = run_batch(path, argc, argv);
+    else
+        run(path, NULL);
+    const int status = cli_end();
+    return failed ? EXIT_FAILURE : status;
 }

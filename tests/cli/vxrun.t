@@ -190,5 +190,27 @@ between "$last" "$(echo "$at" | awk '{print $1 - 0.023}')" "$at" "with samples u
 like "$(vxinfo "$dir/x.state" | grep '^FAILED=')" 'wheelset 1, .* beside its rail' "and the state of the step that failed, with the reason"
 fails 1 "from which no run goes on" vxrun --track "$dir/curve.trk" --start "$dir/x.state" --set end=30 -o "$dir/y.run" "$plain"
 like "$(cat "$dir/err")" 'is what a run that failed has left' "which is said"
+# A batch, whose lines are checked before any runs.
+echo "-o $dir/v1.run" >"$dir/batch"
+batch()
+{
+    status=$1 word=$2 what=$3
+    shift 3
+    fails $status "$what" vxrun "$@"
+    like "$(cat "$dir/err")" "$word" "... $word"
+}
+batch 2 "--batch: every line names its own -o" "-o beside --batch" --batch "$dir/batch" -o "$dir/v0.run" "$plain"
+batch 2 "--jobs is of a batch" "--jobs alone" --jobs 2 "$plain"
+batch 2 "--jobs must be from 1 to 64" "no job" --batch "$dir/batch" --jobs 0 "$plain"
+batch 1 "none: No such file" "a batch that is not there" --batch "$dir/none" "$plain"
+printf '# nothing\n\n' >"$dir/empty"
+batch 1 "empty: has no variant" "a batch without a line" --batch "$dir/empty" "$plain"
+echo "--set end=-20" >"$dir/nameless"
+batch 1 "nameless: line 1: wants an output of its own, -o FILE" "a line without an output" --batch "$dir/nameless" "$plain"
+printf '%s\n\n%s\n' "-o $dir/v1.run" "-o $dir/v1.run --set end=-20" >"$dir/twice"
+batch 1 "v1.run is the output of line 1 too" "two lines with one output" --batch "$dir/twice" "$plain"
+batch 1 "none.trk: No such file" "a batch whose own command has no track" --batch "$dir/batch" --track "$dir/none.trk" "$plain"
+[ ! -e "$dir/v0.run" ] && [ ! -e "$dir/v1.run" ]
+ok $? "none has run"
 fails 2 "--save-state without -o" vxrun --save-state -29.5 "$plain"
 done_testing

@@ -21,6 +21,7 @@ struct inputs {
     uint64_t hash;                   /* of the case */
     int files;                       /* 1 with a prescribed force, else 4, and one of creep forces */
     struct vxf file[5];              /* track, vehicle, left and right table, creep forces */
+    char *name[5];                   /* of the files */
     struct trk track;
     struct veh vehicle;
     struct ctab table[2];
@@ -28,8 +29,9 @@ struct inputs {
     struct irregularity measured;    /* where the case names a file of it */
 };
 
-/* Reads the case and all it names, or dies.  A file named by the case lies beside the case. */
-void inputs_read(struct inputs *in, const char *path, const struct inputs_options *opt);
+/* Reads the case and all it names, or dies.  A file named by the case lies beside the case.  What `kept`, which may be NULL, holds of the same name is
+ * taken from there; it must outlive in. */
+void inputs_read(struct inputs *in, const char *path, const struct inputs_options *opt, const struct inputs *kept);
 
 /* Histories and hashes of all of them into a header. */
 void inputs_put(const struct inputs *in, struct vxf_out *o);

@@ -165,6 +165,7 @@ char **cli_begin(const struct cli_program *p, int argc, char **argv, int least, 
     refuse_abbreviations(p->option, argc, argv);
     build(p->option, n, letters, longs);
     opterr = 0;
+    optind = 0;                  /* anew: a batch has a command for each line */
     while ((c = getopt_long(argc, argv, letters, longs, NULL)) != -1) {
         int k = c - FIRST_LONG;
         if (c == 'h')
