@@ -16,21 +16,22 @@ void lateral_begin(struct lateral *l)
     l->high = HUGE_VAL;
 }
 
-/* Rate by the straight backward difference of second order, as of what a loaded element gives downwards; none at rest. */
+/* Rate by the backward difference of second order, as of what a loaded element gives downwards; none at rest. */
 void lateral_stand(const struct lateral *l, const struct wheel_place *place, const struct way_rail *rail, const struct wheel_memory *memory, double h,
                    struct wheel_input *in)
 {
     const struct head_force more = {l->F.Y - l->applied.Y, l->F.M - l->applied.M};
-    const struct head_force rate = {(1.5 * l->F.Y - 2 * memory->Y + 0.5 * memory->Y_before) / h,
-                                    (1.5 * l->F.M - 2 * memory->M + 0.5 * memory->M_before) / h};
+    const double n = rail->quick > 0 ? 1 / h : 0, speed = rail->quick > 0 ? in->v : 0;
+    const struct head_force rate = {n * (1.5 * l->F.Y - 2 * memory->Y + 0.5 * memory->Y_before),
+                                    n * (1.5 * l->F.M - 2 * memory->M + 0.5 * memory->M_before)};
     const double y = rail->yield[0] * more.Y + rail->yield[1] * more.M, roll = rail->yield[1] * more.Y + rail->yield[2] * more.M;
     struct head_motion head = rail->head;
 
     head.y += y;
     head.v += rail->quick * y;
     head.roll += roll;
-    head.vroll += rail->quick * roll + in->v * rail->head_turn;
-    head_bend(&place->head, &l->F, &rate, in->v, &head);
+    head.vroll += rail->quick * roll + speed * rail->head_turn;
+    head_bend(&place->head, &l->F, &rate, speed, &head);
     in->rail_y = head.y;
     in->rail_vy = head.v;
     in->rail_turn = head.slope;
@@ -43,7 +44,7 @@ struct head_force lateral_force(const struct trk *t, int side, const struct whee
 {
     const double axis = (side == TRK_RIGHT ? 0.5 : -0.5) * t->rail_spacing + in->rail_y + in->line;
 
-    return (struct head_force){out->Y, out->Mx - axis * out->Q + (out->rail_z + in->dip) * out->Y};
+    return (struct head_force){out->Y - out->check, out->Mx - axis * out->Q + (out->rail_z + in->dip) * (out->Y - out->check)};
 }
 
 /* 1/s: the rate of the head to the side over the force Y, and over M. */

@@ -26,7 +26,7 @@ void lateral_begin(struct lateral *l);
 void lateral_stand(const struct lateral *l, const struct wheel_place *place, const struct way_rail *rail, const struct wheel_memory *memory, double h,
                    struct wheel_input *in);
 
-/* Of the wheel on rail `side`: before the check rail is added. */
+/* Of the wheel on rail `side`, without what goes into the check rail. */
 struct head_force lateral_force(const struct trk *t, int side, const struct wheel_input *in, const struct wheel_output *out);
 
 /* The next force to assume, from what the assumed one made; damping N s/m is D.  Returns by how much that was off, N. */

@@ -69,6 +69,17 @@ static void wheel_input(const struct passage *p, int64_t i, int side, struct whe
     passage_wheel_input(p, i, side, &place, &rail, in);
 }
 
+/* On a spatial rail; the next round has it. */
+static void push_aside(struct rest *r, int64_t k, const struct wheel_input *in, const struct wheel_output *out)
+{
+    const struct head_force F = lateral_force(r->p->track, (int)(k % 2), in, out);
+    struct wheel_memory *m = &r->p->memory[k];
+
+    r->shift = fmax(r->shift, fabs(F.Y - m->Y));
+    m->Y = m->Y_before = F.Y;
+    m->M = m->M_before = F.M;
+}
+
 /* Height z of the wheel at which it carries `load`, with both wheels of the set at that height: bisection on a force that grows with z. */
 static const char *seek_height(struct rest *r, int64_t k, double *z)
 {
@@ -79,7 +90,7 @@ static const char *seek_height(struct rest *r, int64_t k, double *z)
 
     wheel_input(p, k / 2, (int)(k % 2), &in);
     in.roll = in.vroll = in.rail_v = in.vz = 0;
-    in.rail_slope = 0;
+    in.rail_slope = in.rail_turn = 0;
     low = in.rail_z - 0.02;
     high = in.rail_z + 0.02;
     for (int i = 0; i < HEIGHT_MOST; i++) {
@@ -96,11 +107,7 @@ static const char *seek_height(struct rest *r, int64_t k, double *z)
     }
     *z = in.z;
     if (trk_is_spatial(p->track)) {
-        const struct head_force F = lateral_force(p->track, (int)(k % 2), &in, &out);
-        struct wheel_memory *m = &p->memory[k];
-        r->shift = fmax(r->shift, fabs(F.Y - m->Y));
-        m->Y = m->Y_before = F.Y; /* the next round has it */
-        m->M = m->M_before = F.M;
+        push_aside(r, k, &in, &out);
     } else if (*p->track->lateral_k > 0 && (!p->follows || *p->track->sleeper_lateral_k > 0)) { /* else both sides push on one mass */
         r->shift = fmax(r->shift, fabs(out.Y - *p->track->lateral_k * p->sideways.y[k]));
         p->sideways.y[k] = out.Y / *p->track->lateral_k; /* the next round has it */
@@ -140,7 +147,7 @@ static const char *axle_moment(struct rest *r, int64_t i, double spin, double *m
         struct wheel_memory memory = p->memory[2 * i + s];
         struct wheel_output out;
         wheel_input(p, i, s, &in);
-        in.rail_slope = 0;
+        in.rail_slope = in.rail_turn = 0;
         why = wheel_force(&p->o.law, &in, &memory, &out);
         *moment += out.moment[1];
     }
@@ -268,7 +275,13 @@ static const char *settle_steady(struct rest *r, struct steady *s)
     for (int i = 0; i < ROUNDS_MOST && change > LOAD_TOLERANCE && !why; i++) {
         if ((why = settle_track(r)) || (why = steady_find(s)))
             break;
-        change = 0;
+        r->shift = 0;
+        for (int64_t k = 0; k < wheels && trk_is_spatial(r->p->track); k++) {
+            struct wheel_input in;
+            wheel_input(r->p, k / 2, (int)(k % 2), &in);
+            push_aside(r, k, &in, &r->p->wheel[k]);
+        }
+        change = r->shift;
         for (int64_t k = 0; k < wheels; k++) {
             change = fmax(change, fabs(r->p->wheel[k].Q - r->load[k]));
             r->load[k] = r->p->wheel[k].Q;

@@ -43,7 +43,7 @@ static void list(struct steady *s)
             else
                 add(s, &s->q[6 * b + k], i < 0 ? SCALE_BODY : SCALE, b, k, i);
     }
-    for (int64_t k = 0; k < 2 * v->wheelsets && *p->track->lateral_k > 0; k++)
+    for (int64_t k = 0; k < 2 * v->wheelsets && *p->track->lateral_k > 0 && !trk_is_spatial(p->track); k++)
         add(s, &p->sideways.y[k], SCALE, -1, (int)(k % 2), k / 2);
 }
 
@@ -110,7 +110,7 @@ static const char *turn_wheel(struct passage *p, int64_t i, int side)
     double creep = HUGE_VAL;
 
     passage_wheel_input(p, i, side, &place, &rail, &in);
-    in.rail_v = in.rail_slope = in.rail_vy = 0;
+    in.rail_v = in.rail_slope = in.rail_vy = in.rail_turn = 0;
     for (int k = 0; k < CREEP_MOST && fabs(memory->creep_z - creep) > CREEP_TOLERANCE; k++) {
         creep = memory->creep_z;
         const char *why = wheel_force(&p->o.law, &in, memory, w);
