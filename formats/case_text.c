@@ -11,6 +11,7 @@ static const char *const rails[] = {"left", "right", "both", NULL};
 static const char *const kinds[] = {"impulse", "sweep", "noise", NULL};
 static const char *const places[] = {"left", "right", "sleeper", NULL};
 static const char *const filters[] = {"none", "lowpass", NULL};
+static const char *const train_schemes[] = {"explicit", "implicit", NULL};
 static const char *const laws[] = {"hertz", "linear", NULL};
 static const char *const sides[] = {"both", "left", "right", NULL};
 
@@ -158,6 +159,7 @@ const struct yaml_schema case_text_schema = {
         {"end", YAML_NUM, AT(end), -YAML_NO_LIMIT, YAML_NO_LIMIT, "m", "60", "and at the end", NULL, NULL},
         {"step", YAML_NUM, AT(step), 1e-7, 1e-3, "s", "1e-4", "time step", NULL, NULL},
         {"scheme", YAML_CHOICE, AT(scheme), 0, 0, "", "auto", "of the track: explicit where that holds, or implicit", NULL, schemes},
+        {"train_scheme", YAML_CHOICE, AT(train_scheme), 0, 0, "", "explicit", "of the train; implicit wants an implicit track", NULL, train_schemes},
         {"contact", YAML_MAP, AT(contact), 0, 0, "", "{}", "wheel on rail", &contact_schema, NULL},
         {"sampling", YAML_NUM, AT(sampling), 1, 1e7, "Hz", "1000",
          "records a second; 1/step or more is every step", NULL, NULL},

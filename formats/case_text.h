@@ -70,6 +70,7 @@ struct case_text {
     double start, end;                       /* m, stations of the front wheelset */
     double step;                             /* s */
     int scheme;                              /* enum case_scheme */
+    int train_scheme;                        /* 0 explicit, 1 implicit */
     struct {
         int law;                             /* enum case_law */
         double stiffness, damping, series;   /* N/m, N s/m, N/m: of the linear law */

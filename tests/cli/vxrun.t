@@ -127,6 +127,7 @@ refuses 1 "r.ctab: is of side r, but --contact-left wants side l" "both exchange
 head -c 100000 "$dir/l.ctab" >"$dir/cut.ctab"
 refuses 1 "cut.ctab: truncated" "a table cut short" --contact-left "$dir/cut.ctab" "$plain"
 refuses 1 "beyond the limit of the explicit scheme" "too long a step" --set scheme=explicit --set step=2e-4 "$plain"
+refuses 1 "train_scheme: implicit wants scheme: implicit" "an implicit train on an explicit track" --set train_scheme=implicit --set scheme=explicit "$plain"
 refuses 1 "limit of the wheelsets' spin at 1.39 m/s" "too long a step for so low a speed" --set speed_kmh=5 "$plain"
 refuses 1 "the last wheelset would start at -71.56 m" "a start before the track" --set start=-50 "$plain"
 refuses 1 "the front wheelset would end at 60.00 m" "an end beyond it" --set end=60 "$plain"

@@ -1,7 +1,7 @@
 /* Rails that give within the step: with forces foreseen, by a straight line through the last two, the rails are solved for once.  What a
  * wheel's force beyond the foreseen moves at its own place and at the other wheel's of its set is known beforehand, so both wheels
  * find forces and rails together; the rails are solved for again with what the forces differ by.  What that moves under other
- * wheelsets, and the vertical part of creep forces, may want another round.
+ * wheelsets, the vertical part of creep forces, and how the bodies move on by these forces, may want another round.
  *
  * Rails that do not: one round, no foreseeing. */
 #include "tools/integrate/couple.h"
@@ -274,9 +274,13 @@ const char *couple_wheels(struct passage *p)
             way_move(&p->rails);
             off = disagreement(p, &at);
         }
+        if (passage_implies(p)) {
+            train_force(&p->train, p->wheel);
+            off = fmax(off, train_correct(&p->train));
+        }
     }
     if (!(off <= RAIL_TOLERANCE))
-        return at_wheel(p, at, reason("contact forces and rails still differ by %.3g m", off));
+        return at_wheel(p, at, reason("contact forces, rails and bodies still differ by %.3g m", off));
     if (way_unrest(&p->rails) > 0)
         return reason("station %.3f m: forces of ballast that only pushes still change by %.3g N", p->station, way_unrest(&p->rails));
     remember(p);

@@ -62,6 +62,7 @@ const char *options_read(struct passage_options *o, const struct case_text *c, d
         .end = c->end,
         .step = c->step,
         .scheme = c->scheme == CASE_EXPLICIT ? WAY_EXPLICIT : c->scheme == CASE_IMPLICIT ? WAY_IMPLICIT : WAY_AUTO,
+        .implicit_train = c->train_scheme,
         .law = contact_law(c),
         .excitation = excitation_of(c, measured),
     };

@@ -2,7 +2,6 @@
 #include "formats/reason.h"
 #include "tools/contact/lookup.h"
 #include "tools/creep/kalker.h"
-#include "tools/integrate/two_step.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -130,8 +129,10 @@ const char *passage_new(struct passage *p, const struct passage_options *o, cons
              !(why = alignment_begin(&p->alignment, rear_station(p))) &&
              !(why = check_flats(&o->excitation, vehicle)) && !(why = excitation_new(&p->excitation, &o->excitation)) &&
              !(why = way_new(&p->rails, p->track, vehicle->gravity, o->step, o->scheme)) &&
-             (!o->account || !(why = energy_new(&p->energy, &p->rails))) && !(why = train_new(&p->train, vehicle, o->speed)))
+             (!o->account || !(why = energy_new(&p->energy, &p->rails))) && !(why = train_new(&p->train, vehicle, o->speed, o->step)))
         why = check_step(p);
+    if (!why && o->implicit_train)
+        why = p->rails.scheme == WAY_IMPLICIT ? train_imply(&p->train) : "train_scheme: implicit wants scheme: implicit";
     if (why)
         passage_free(p);
     else
@@ -217,7 +218,8 @@ const char *passage_forces(struct passage *p)
     way_finish(&p->rails);
     if (p->o.account && p->n > 0)
         energy_lose(&p->energy, &p->rails);
-    train_accelerate(&p->train, p->wheel);
+    if (!passage_implies(p)) /* where it does, the rounds have them */
+        train_accelerate(&p->train, p->wheel);
     return NULL;
 }
 
@@ -237,12 +239,10 @@ static const char *check_motion(const struct passage *p)
 
 const char *passage_step(struct passage *p)
 {
-    struct train *t = &p->train;
     const char *why;
 
-    train_keep(t, p->o.step);
+    train_advance(&p->train);
     way_advance(&p->rails);
-    two_step(t->dofs, p->o.step, t->q, t->v, t->a, t->before);
     sideways_move(&p->sideways, p->o.step);
     p->n++;
     p->time = (double)p->n * p->o.step;

@@ -25,6 +25,7 @@ struct passage_options {
     double start, end;              /* m, stations of the front wheelset */
     double step;                    /* s */
     enum way_scheme scheme;         /* of the track */
+    int implicit_train;             /* 1: average acceleration for the train too */
     int account;                    /* whether its energy and its run-in are accounted for */
     struct wheel_law law;
     struct excitation_options excitation;
@@ -65,6 +66,12 @@ int64_t passage_steps(const struct passage_options *o);
 
 /* Accounts begin with the present state. */
 void passage_account(struct passage *p);
+
+/* Whether the train's accelerations are found with the forces of this step. */
+static inline int passage_implies(const struct passage *p)
+{
+    return p->train.S && way_yields(&p->rails);
+}
 
 /* All forces and accelerations from the present positions and rates. */
 const char *passage_forces(struct passage *p);
