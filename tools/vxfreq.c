@@ -90,27 +90,20 @@ static const char *parse(int argc, char **argv)
 {
     int n;
     char **operand = cli_begin(&program, argc, argv, 1, 1, &n);
+    const struct { int asked; const char *what; } form[] = {{opt.receptance, "--receptance"}, {opt.modes > 0, "--modes"},
+        {opt.statics && !opt.axles, "--static at one place"}, {opt.statics && opt.axles, "--static --axles"}, {opt.stiffness, "--stiffness"}};
 
     if (opt.receptance + opt.statics + opt.stiffness + (opt.modes > 0) != 1)
         cli_misuse("one of --receptance, --modes, --static and --stiffness is wanted");
-    if (opt.axles && !opt.statics)
-        cli_misuse("--axles goes with --static");
-    if (opt.out && (opt.stiffness || opt.axles))
-        cli_misuse("a table along the track goes to standard output, not to -o");
+    for (int k = 0; k < (int)(sizeof form / sizeof *form); k++)
+        if (form[k].asked)
+            cli_form(&program, k, form[k].what);
     if (opt.statics && !(opt.load > 0))
         cli_misuse("--static needs --load, the force in N on each rail that --excite names");
     if (opt.sweep.to < opt.sweep.from)
         cli_misuse("--to %g Hz lies below --from %g Hz", opt.sweep.to, opt.sweep.from);
-    if ((opt.peaks && !opt.receptance) || ((opt.text || opt.damped) && !opt.modes))
-        cli_misuse("--peaks goes with --receptance, --damped and --text with --modes");
     if (opt.hermite && !(opt.peaks && strcmp(opt.at, "sleeper")))
         cli_misuse("--hermite goes with --peaks, and --at midspan or a station");
-    if (opt.load > 0 && !opt.statics && !opt.stiffness)
-        cli_misuse("--load goes with --static and --stiffness");
-    if (opt.preload > 0 && !opt.receptance)
-        cli_misuse("--preload goes with --receptance");
-    if (!opt.receptance && (opt.motion >= 0 || opt.motion_at || opt.quantity || opt.lateral || opt.motion_lateral >= 0))
-        cli_misuse("--motion, --motion-at, --direction, --motion-direction and --quantity go with --receptance");
     if (opt.statics && opt.excite == PLACE_SLEEPER)
         cli_misuse("--static loads rails: --excite left, right or both");
     return operand[0];

@@ -1,9 +1,8 @@
-/* One passage: train and track moving together, in explicit steps.
+/* One passage: train and track moving together, step by step.
  *
- * Zhai's two-step scheme (Zhai 1996, IJNME 39, 4199) with both parameters 1/2:
- *   x(n+1) = x + v h + (a - a(n-1)/2) h^2,   v(n+1) = v + (3 a - a(n-1)) h/2,
- * then all forces from x(n+1), v(n+1), and a(n+1) without solving, since the mass is diagonal.  Second order; stable up to about 2/omega of the
- * highest frequency of the track. */
+ * A step moves the bodies of the train by the explicit two-step scheme (two_step.h) and the track by the scheme it has (way.h); then come
+ * all forces at the new positions and rates, those between wheels and rails together with what they move (couple.h), and from them the
+ * accelerations of the bodies.  x forward, y to the right, z down; Q, Y, T are forces of the wheel on the rail. */
 #ifndef VX_INTEGRATE_PASSAGE_H
 #define VX_INTEGRATE_PASSAGE_H
 
