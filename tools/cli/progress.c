@@ -10,9 +10,11 @@ void progress_show(struct progress *p, int64_t done, int64_t all, const char *na
         p->shown = p->first = done - 1;
         p->began = p->seconds();
     }
-    if (p->quiet || (done - p->shown) * 50 < all || !isatty(STDERR_FILENO))
+    if (p->quiet || (done - p->shown) * 50 < all)
         return;
     p->shown = done;
+    if (!isatty(STDERR_FILENO))
+        return;
     fprintf(stderr, "\r%s %3.0f %%  %s = %.1f %s  %.0f s left  %s", cli_name, 100.0 * (double)done / (double)all, name, value, unit,
             (p->seconds() - p->began) * (double)(all - done) / (double)(done - p->first), done == all ? "\n" : "");
 }

@@ -2,6 +2,7 @@
 #include "tools/integrate/lumped.h"
 #include "formats/reason.h"
 #include "tools/contact/clones.h"
+#include "tools/integrate/two_step.h"
 #include "tools/track/rails.h"
 
 #include <math.h>
@@ -146,8 +147,9 @@ const char *lumped_new(struct lumped *l, const struct trk *t, double gravity)
         return "the explicit scheme wants lumped Euler-Bernoulli rails with one rail node above every sleeper: mass_model: lumped, beam: euler, "
                "elements_per_bay: 1";
     place_arrays(l, &room);
-    if (!(room.base = l->store = calloc(room.used, sizeof *l->store)))
+    if (!(l->store = calloc(room.used + LANES, sizeof *l->store)))
         return REASON_MEMORY;
+    room.base = l->store + (LANES - (uintptr_t)l->store / sizeof *l->store % LANES) % LANES; /* a vector lies in one line of the cache */
     room.used = 0;
     place_arrays(l, &room);
     l->beam[0] = calloc(2 * (size_t)l->n, sizeof *l->beam[0]);
@@ -279,29 +281,55 @@ CLONES static void sleeper_acceleration(int64_t n, const double *restrict pl, co
     }
 }
 
-void lumped_accelerate(struct lumped *l)
+/* All of nodes and sleepers from i to before `to`; elements before i have been done. */
+static void accelerate(struct lumped *l, int64_t i, int64_t to)
 {
-    int64_t n = l->n, k = l->stride;
-    const double *z = l->u + LUMPED_Z * k, *r = l->u + LUMPED_ROLL * k;
-    const double *vz = l->v + LUMPED_Z * k, *vr = l->v + LUMPED_ROLL * k;
+    const int64_t k = l->stride, n = to - i, elements = to < l->n ? n + 1 : n;     /* nodes that elements from i on stand on */
+    const double *z = l->u + LUMPED_Z * k + i, *r = l->u + LUMPED_ROLL * k + i;
+    const double *vz = l->v + LUMPED_Z * k + i, *vr = l->v + LUMPED_ROLL * k + i;
 
     for (int s = 0; s < 2; s++) {
-        int64_t w = (s ? LUMPED_WR : LUMPED_WL) * k, t = (s ? LUMPED_TR : LUMPED_TL) * k;
-        double *shear = l->shear[s] + LANES, *near = l->near[s] + LANES, *far = l->far[s] + LANES;
-        bend(n, l->u + w, l->u + t, l->k12[s], l->k6[s], l->k4[s], shear, near, far);
+        const int64_t w = (s ? LUMPED_WR : LUMPED_WL) * k + i, t = (s ? LUMPED_TR : LUMPED_TL) * k + i;
+        double *shear = l->shear[s] + LANES + i, *near = l->near[s] + LANES + i, *far = l->far[s] + LANES + i;
+        bend(elements, l->u + w, l->u + t, l->k12[s] + i, l->k6[s] + i, l->k4[s] + i, shear, near, far);
         if (l->tapered[s])
-            bend_tapered(n, l->u + w, l->u + t, l->taper_6[s], l->taper_near[s], l->taper_far[s], shear, near, far);
-        compress(n, l->u + w, l->v + w, z, vz, r, vr, l->arm[s], l->pad_k[s], l->pad_c[s], l->pad[s]);
-        rail_acceleration(n, shear, near, far, l->pad[s], l->inverse + w, l->inverse + t, l->gravity, l->a + w, l->a + t);
+            bend_tapered(elements, l->u + w, l->u + t, l->taper_6[s] + i, l->taper_near[s] + i, l->taper_far[s] + i, shear, near, far);
+        compress(n, l->u + w, l->v + w, z, vz, r, vr, l->arm[s] + i, l->pad_k[s] + i, l->pad_c[s] + i, l->pad[s] + i);
+        rail_acceleration(n, shear, near, far, l->pad[s] + i, l->inverse + w, l->inverse + t, l->gravity, l->a + w, l->a + t);
     }
     for (int s = 0; s < 3; s++)
         if (l->pushes[s])
-            settle_pushing(n, z, vz, r, vr, l->ballast_y[s], l->ballast_k[s], l->ballast_c[s], l->gap[s], l->floor[s], l->ballast[s]);
+            settle_pushing(n, z, vz, r, vr, l->ballast_y[s] + i, l->ballast_k[s] + i, l->ballast_c[s] + i, l->gap[s] + i, l->floor[s] + i,
+                           l->ballast[s] + i);
         else
-            settle(n, z, vz, r, vr, l->ballast_y[s], l->ballast_k[s], l->ballast_c[s], l->ballast[s]);
-    sleeper_acceleration(n, l->pad[0], l->pad[1], l->arm[0], l->arm[1], l->ballast[0], l->ballast[1], l->ballast[2],
-                         l->ballast_y[0], l->ballast_y[1], l->ballast_y[2], l->inverse + LUMPED_Z * k,
-                         l->inverse + LUMPED_ROLL * k, l->gravity, l->a + LUMPED_Z * k, l->a + LUMPED_ROLL * k);
+            settle(n, z, vz, r, vr, l->ballast_y[s] + i, l->ballast_k[s] + i, l->ballast_c[s] + i, l->ballast[s] + i);
+    sleeper_acceleration(n, l->pad[0] + i, l->pad[1] + i, l->arm[0] + i, l->arm[1] + i, l->ballast[0] + i, l->ballast[1] + i,
+                         l->ballast[2] + i, l->ballast_y[0] + i, l->ballast_y[1] + i, l->ballast_y[2] + i,
+                         l->inverse + LUMPED_Z * k + i, l->inverse + LUMPED_ROLL * k + i, l->gravity, l->a + LUMPED_Z * k + i,
+                         l->a + LUMPED_ROLL * k + i);
+}
+
+void lumped_accelerate(struct lumped *l)
+{
+    accelerate(l, 0, l->n);
+}
+
+/* Block by block, so that what has just moved is still in the first level of the cache: 40 arrays of BLOCK numbers.  The motion is ahead by one
+ * vector, of which the last element of a block needs a node. */
+enum { BLOCK = 64 };
+
+void lumped_step(struct lumped *l, double h)
+{
+    const int64_t k = l->stride;
+    int64_t moved = 0;
+
+    for (int64_t i = 0; i < l->n; i += BLOCK) {
+        const int64_t to = i + BLOCK < l->n ? i + BLOCK : l->n, ahead = i + BLOCK + LANES < k ? i + BLOCK + LANES : k;
+        for (int64_t part = moved; part < LUMPED_PARTS * k; part += k)
+            two_step(ahead - moved, h, l->u + part, l->v + part, l->a + part, l->before + part);
+        moved = ahead;
+        accelerate(l, i, to);
+    }
 }
 
 /* ---- wheels ---- */
@@ -333,14 +361,21 @@ void lumped_load(struct lumped *l, int rail, const struct wheel_place *p, double
     l->far[rail][LANES + p->node] -= F * p->shape[3];
 }
 
+CLONES static void mean_moment(int64_t n, const double *restrict near, const double *restrict far, double *restrict m)
+{
+    for (int64_t i = 0; i < n; i++)
+        m[i] = 0.5 * (far[i - 1] - near[i]);
+}
+
 /* M = -EI w'' is positive where the rail sags, so near = EI w'' = -M and far = -EI w'' = M.  The element behind a node and the one
  * ahead differ by the node's inertia: the mean is taken. */
 void lumped_moment(const struct lumped *l, int rail, double *m)
 {
     const double *near = l->near[rail] + LANES, *far = l->far[rail] + LANES;
 
-    for (int64_t i = 0; i < l->n; i++)
-        m[i] = i == 0 ? -near[0] : i == l->n - 1 ? far[i - 1] : 0.5 * (far[i - 1] - near[i]);
+    mean_moment(l->n, near, far, m);
+    m[0] = -near[0];
+    m[l->n - 1] = far[l->n - 2];
 }
 
 /* ---- stability ---- */

@@ -42,6 +42,9 @@ void lumped_state(const struct lumped *l, const double *state, double *x);
 /* Accelerations a, pad and ballast forces from u and v, without wheels. */
 void lumped_accelerate(struct lumped *l);
 
+/* One step of h s by two_step.h, and the accelerations after it, without wheels. */
+void lumped_step(struct lumped *l, double h);
+
 /* The element of rail 0 left or 1 right under station x, which must lie between the first and the last node. */
 struct wheel_place lumped_find(const struct lumped *l, int rail, double x);
 

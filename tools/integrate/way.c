@@ -1,6 +1,5 @@
 #include "tools/integrate/way.h"
 #include "formats/reason.h"
-#include "tools/integrate/two_step.h"
 #include "tools/track/rails.h"
 
 #include <math.h>
@@ -152,11 +151,19 @@ void way_resume(struct way *w)
 static void advance_lumped(struct way *w)
 {
     struct lumped *l = &w->lumped;
-    const int64_t n = LUMPED_PARTS * l->stride;
 
     if (w->at_rest)
-        memcpy(l->before, l->a, (size_t)n * sizeof *l->a);
-    two_step(n, w->step, l->u, l->v, l->a, l->before);
+        memcpy(l->before, l->a, (size_t)(LUMPED_PARTS * l->stride) * sizeof *l->a);
+    lumped_step(l, w->step);
+    w->accelerated = 1;
+}
+
+/* A step has done it already, unless this is not the first time. */
+static void accelerate_lumped(struct way *w)
+{
+    if (!w->accelerated)
+        lumped_accelerate(&w->lumped);
+    w->accelerated = 0;
 }
 
 void way_advance(struct way *w)
@@ -199,7 +206,7 @@ void way_load_head(struct way *w, const struct head_place *p, const struct head_
 void way_move(struct way *w)
 {
     if (is_explicit(w))
-        lumped_accelerate(&w->lumped);
+        accelerate_lumped(w);
     else if (!w->at_rest)
         newmark_move(&w->newmark);
 }

@@ -24,6 +24,7 @@ struct way {
     const struct trk *track;            /* must outlive this */
     double gravity, step;               /* m/s2, s */
     double limit;                       /* s, of a stable step; HUGE_VAL */
+    int accelerated;                    /* the explicit one: by way_advance */
     int at_rest;                        /* not moved yet: the state is what way_set gave */
     struct lumped lumped;               /* the one, */
     struct newmark newmark;             /* or the other */
