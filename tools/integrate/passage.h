@@ -1,8 +1,8 @@
 /* One passage: train and track moving together, step by step.
  *
- * A step moves the bodies of the train by the explicit two-step scheme (two_step.h) and the track by the scheme it has (way.h); then come
- * all forces at the new positions and rates, those between wheels and rails together with what they move (couple.h), and from them the
- * accelerations of the bodies.  x forward, y to the right, z down; Q, Y, T are forces of the wheel on the rail. */
+ * A step moves the train (train.h) and the track (way.h), each by the scheme it has; then come all forces at the new positions and rates,
+ * those between wheels and rails together with what they move (couple.h), and from them the accelerations of the bodies.
+ * x forward, y to the right, z down; Q, Y, T are forces of the wheel on the rail. */
 #ifndef VX_INTEGRATE_PASSAGE_H
 #define VX_INTEGRATE_PASSAGE_H
 
