@@ -195,8 +195,8 @@ static void account(const struct passage *p, int64_t first, double begun, double
     if (!isnan(p->run_in.settled))
         cli_note("run-in: Q repeats from bay to bay from %.1f m on", p->run_in.settled);
     if (p->energy.counted) {
-        double stored, lost, missing = energy_end(&p->energy, &p->rails, &stored, &lost);
-        cli_note("wheels' work on the track %.6g J: lost %.6g, stored %.6g, missing %.1e of the loss", p->energy.work, lost, stored, missing);
+        double work, stored, lost, missing = energy_end(&p->energy, &p->rails, &work, &stored, &lost);
+        cli_note("wheels' work on the track %.6g J: lost %.6g, stored %.6g, missing %.1e of the loss", work, lost, stored, missing);
     }
     cli_note("start %.3f s, passage %.3f s (%.2f us a step), peak memory %ld MB", started - begun, seconds() - started,
              1e6 * (seconds() - started) / (double)done, used.ru_maxrss / 1024);
