@@ -3,7 +3,7 @@
 #define AT(member) offsetof(struct case_text, member)
 
 static const char *const routes[] = {"through", "diverging", NULL};
-static const char *const directions[] = {"facing", NULL};
+static const char *const directions[] = {"facing", "trailing", NULL};
 static const char *const schemes[] = {"explicit", "implicit", "auto", NULL};
 static const char *const shapes[] = {"fresh", "worn", NULL};
 static const char *const spectra[] = {"none", "erri-low", "erri-high", NULL};
@@ -150,7 +150,8 @@ const struct yaml_schema case_text_schema = {
         FILE_FIELD(creep, ".creep file of creep forces; absent: FASTSIM"),
         {"speed_kmh", YAML_NUM, AT(speed), 1, 500, "km/h", YAML_ABSENT, "speed, the one key that is not SI; a vehicle needs it", NULL, NULL},
         {"route", YAML_CHOICE, AT(route), 0, 0, "", "through", "which route track and sections describe", NULL, routes},
-        {"direction", YAML_CHOICE, AT(direction), 0, 0, "", "facing", "facing: with increasing station", NULL, directions},
+        {"direction", YAML_CHOICE, AT(direction), 0, 0, "", "facing",
+         "facing: with increasing station, start below end; trailing: back, start above end", NULL, directions},
         {"friction", YAML_NUM, AT(friction), 0.01, 1, "1", "0.30", "coefficient of friction", NULL, NULL},
         {"falling", YAML_MAP, AT(falling), 0, 0, "", "{}", "friction that falls with slip", &falling_schema, NULL},
         {"friction_on", YAML_LIST, AT(friction_on), 0, 0, "", "[]", "contacts with a friction of their own", &friction_schema, NULL},

@@ -174,6 +174,7 @@ void run_put(const struct run *r, const int *recorded, struct vxf_out *o)
     vxf_put_key(o, "NAME", "%s", r->name);
     vxf_put_key(o, "ROUTE", "%s", r->route);
     vxf_put_key(o, "FILTER", "%s", *r->filter ? r->filter : "none");
+    vxf_put_key(o, "DIRECTION", "%s", *r->direction ? r->direction : "facing");
     vxf_put_key(o, "SPEED", "%.17g", r->speed);
     vxf_put_key(o, "STEP", "%.17g", r->step);
     vxf_put_key(o, "FRICTION", "%.17g", r->friction);
@@ -200,6 +201,7 @@ static const char *read_keys(struct run *r, const struct vxf *f)
 
     if ((why = vxf_key(f, "NAME", r->name, sizeof r->name)) || (why = vxf_key(f, "ROUTE", r->route, sizeof r->route)) ||
         (why = vxf_key(f, "FILTER", r->filter, sizeof r->filter)) ||
+        (why = vxf_key(f, "DIRECTION", r->direction, sizeof r->direction)) ||
         (why = vxf_number(f, "SPEED", &r->speed)) || (why = vxf_number(f, "STEP", &r->step)) ||
         (why = vxf_number(f, "FRICTION", &r->friction)) || (why = vxf_number(f, "GRAVITY", &r->gravity)) ||
         (why = vxf_number(f, "RAIL_SPACING", &r->rail_spacing)))

@@ -6,6 +6,7 @@
 #include "tools/cli/batch.h"
 #include "tools/cli/inputs.h"
 #include "tools/cli/progress.h"
+#include "tools/integrate/facing.h"
 #include "tools/integrate/options.h"
 #include "tools/integrate/record.h"
 #include "tools/integrate/start.h"
@@ -142,7 +143,7 @@ static void write_run(struct passage *p, const struct inputs *in, struct record 
     struct vxf_stream stream;
     char reason_kept[256];
     const char *why = vxf_stream_begin(&stream, head, out->file), *failed = NULL;
-    int full = opt.start ? 0 : record_step(r, p), saved = isnan(opt.save) || p->station > opt.save;
+    int full = opt.start ? 0 : record_step(r, p), saved = isnan(opt.save) || p->station > facing_station(p, opt.save);
 
     for (; !why && p->n < p->steps; full = record_step(r, p)) {
         if (full) {
@@ -151,9 +152,9 @@ static void write_run(struct passage *p, const struct inputs *in, struct record 
         }
         if (why || (failed = passage_step(p)))
             break;
-        if (!saved && (saved = p->station >= opt.save))
+        if (!saved && (saved = p->station >= facing_station(p, opt.save)))
             save_state(p, in, NULL);
-        progress_show(&progress, p->n, p->steps, "s", p->station, "m");
+        progress_show(&progress, p->n, p->steps, "s", facing_station(p, p->station), "m");
     }
     record_end(r, p->n);
     if (!why)
@@ -193,7 +194,7 @@ static void account(const struct passage *p, int64_t first, double begun, double
     cli_note("track %s, %lld degrees of freedom, %.2f rounds of forces a step: %s", p->rails.scheme == WAY_EXPLICIT ? "explicit" : "implicit",
              (long long)p->track->dofs, (double)p->rounds / (double)(done + 1), p->rails.because);
     if (!isnan(p->run_in.settled))
-        cli_note("run-in: Q repeats from bay to bay from %.1f m on", p->run_in.settled);
+        cli_note("run-in: Q repeats from bay to bay from %.1f m on", facing_station(p, p->run_in.settled));
     if (p->energy.counted) {
         double work, stored, lost, missing = energy_end(&p->energy, &p->rails, &work, &stored, &lost);
         cli_note("wheels' work on the track %.6g J: lost %.6g, stored %.6g, missing %.1e of the loss", work, lost, stored, missing);

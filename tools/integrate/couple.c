@@ -7,6 +7,7 @@
 #include "tools/integrate/couple.h"
 #include "formats/reason.h"
 #include "tools/integrate/check_rail.h"
+#include "tools/integrate/facing.h"
 #include "tools/integrate/passage.h"
 
 #include <math.h>
@@ -23,7 +24,8 @@ static int64_t wheels(const struct passage *p)
 
 static const char *at_wheel(const struct passage *p, int64_t k, const char *why)
 {
-    return reason("wheelset %lld, %s wheel, station %.3f m: %s", (long long)(k / 2 + 1), k % 2 ? "right" : "left", p->couple[k].in.s, why);
+    return reason("wheelset %lld, %s wheel, station %.3f m: %s", (long long)(k / 2 + 1), facing_side(p, (int)(k % 2)),
+                  facing_station(p, p->couple[k].in.s), why);
 }
 
 /* No force foreseen is below zero. */
@@ -282,7 +284,7 @@ const char *couple_wheels(struct passage *p)
     if (!(off <= RAIL_TOLERANCE))
         return at_wheel(p, at, reason("contact forces, rails and bodies still differ by %.3g m", off));
     if (way_unrest(&p->rails) > 0)
-        return reason("station %.3f m: forces of ballast that only pushes still change by %.3g N", p->station, way_unrest(&p->rails));
+        return reason("station %.3f m: forces of ballast that only pushes still change by %.3g N", facing_station(p, p->station), way_unrest(&p->rails));
     remember(p);
     return NULL;
 }

@@ -2,6 +2,8 @@
 #include "formats/reason.h"
 #include "tools/contact/lookup.h"
 #include "tools/creep/kalker.h"
+#include "tools/integrate/facing.h"
+#include "tools/track/turn.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -25,9 +27,11 @@ static const char *check_ends(const struct passage *p)
     for (int64_t i = 0; i < v->wheelsets; i++)
         rear = fmin(rear, v->cg[3 * v->wheelset[i]]);
     if (o->start + rear < first)
-        return reason("the last wheelset would start at %.2f m, but the track carries wheels from %.2f m", o->start + rear, first);
+        return reason("the last wheelset would start at %.2f m, but the track carries wheels %s %.2f m", facing_station(p, o->start + rear),
+                      o->trailing ? "to" : "from", facing_station(p, first));
     if (o->end > last)
-        return reason("the front wheelset would end at %.2f m, but the track carries wheels to %.2f m", o->end, last);
+        return reason("the front wheelset would end at %.2f m, but the track carries wheels %s %.2f m", facing_station(p, o->end),
+                      o->trailing ? "from" : "to", facing_station(p, last));
     return NULL;
 }
 
@@ -106,6 +110,31 @@ static const char *lay_track(struct passage *p, const struct trk *track)
     return p->follows ? follow_train(&p->own, track, p->vehicle) : NULL;
 }
 
+/* Track and tables as the train runs on them; the alignment is that of the one track or of the masses that follow. */
+static const char *turn(struct passage *p, const struct ctab *left, const struct ctab *right)
+{
+    const char *why = NULL;
+
+    if (p->o.trailing && !(why = turn_track(&p->turned, p->facing))) {
+        p->view[0] = contact_turn(right);
+        p->view[1] = contact_turn(left);
+        p->table[0] = &p->view[0];
+        p->table[1] = &p->view[1];
+    }
+    return why ? why : lay_track(p, p->o.trailing ? &p->turned : p->facing);
+}
+
+static const char *lay_alignment(struct passage *p)
+{
+    const struct trk *t = p->track;
+    const char *why = alignment_new(&p->alignment, t->curves, t->curve_x, t->curvature);
+
+    if (why)
+        return why;
+    alignment_raise(&p->alignment, t->cants, t->cant_x, t->cant, t->rail_spacing);
+    return alignment_begin(&p->alignment, rear_station(p));
+}
+
 int64_t passage_steps(const struct passage_options *o)
 {
     return (int64_t)ceil((o->end - o->start) / (o->speed * o->step) - 1e-9);
@@ -117,16 +146,14 @@ const char *passage_new(struct passage *p, const struct passage_options *o, cons
     size_t wheels = (size_t)(2 * vehicle->wheelsets);
     const char *why;
 
-    *p = (struct passage){.o = *o, .vehicle = vehicle, .table = {left, right}, .station = o->start};
+    *p = (struct passage){.o = *o, .facing = track, .vehicle = vehicle, .table = {left, right}, .station = o->start};
     p->steps = o->exciter ? o->exciter->steps : (int64_t)ceil((o->end - o->start) / (o->speed * o->step) - 1e-9);
     p->memory = calloc(wheels, sizeof *p->memory);
     p->couple = calloc(wheels, sizeof *p->couple);
     p->wheel = calloc(wheels, sizeof *p->wheel);
     if (!p->memory || !p->couple || !p->wheel || sideways_new(&p->sideways, vehicle->wheelsets))
         why = REASON_MEMORY;
-    else if (!(why = lay_track(p, track)) && !(why = check_ends(p)) && !(why = check_tables(vehicle, left, right)) &&
-             !(why = alignment_new(&p->alignment, track->curves, track->curve_x, track->curvature)) &&
-             !(why = alignment_begin(&p->alignment, rear_station(p))) &&
+    else if (!(why = check_tables(vehicle, left, right)) && !(why = turn(p, left, right)) && !(why = check_ends(p)) && !(why = lay_alignment(p)) &&
              !(why = check_flats(&o->excitation, vehicle)) && !(why = excitation_new(&p->excitation, &o->excitation)) &&
              !(why = way_new(&p->rails, p->track, vehicle->gravity, o->step, o->scheme)) &&
              (!o->account || !(why = energy_new(&p->energy, &p->rails))) && !(why = train_new(&p->train, vehicle, o->speed, o->step)))
@@ -135,8 +162,6 @@ const char *passage_new(struct passage *p, const struct passage_options *o, cons
         why = p->rails.scheme == WAY_IMPLICIT ? train_imply(&p->train) : "train_scheme: implicit wants scheme: implicit";
     if (why)
         passage_free(p);
-    else
-        alignment_raise(&p->alignment, track->cants, track->cant_x, track->cant, track->rail_spacing);
     return why;
 }
 
@@ -152,6 +177,7 @@ void passage_free(struct passage *p)
     free(p->wheel);
     sideways_free(&p->sideways);
     trk_free(&p->own);
+    trk_free(&p->turned);
     memset(p, 0, sizeof *p);
 }
 
@@ -234,7 +260,7 @@ static const char *check_motion(const struct passage *p)
         sum += p->train.a[k];
     for (int64_t k = 0; k < p->track->nodes && !p->train.dofs; k++)
         sum += p->rails.wa[TRK_LEFT][k] + p->rails.wa[TRK_RIGHT][k];
-    return isfinite(sum) ? NULL : reason("the motion is not finite at station %.3f m", p->station);
+    return isfinite(sum) ? NULL : reason("the motion is not finite at station %.3f m", facing_station(p, p->station));
 }
 
 const char *passage_step(struct passage *p)

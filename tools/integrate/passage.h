@@ -21,7 +21,8 @@
 
 struct passage_options {
     double speed;                   /* m/s */
-    double start, end;              /* m, stations of the front wheelset */
+    double start, end;              /* m, stations of the front wheelset; trailing, times -1, so that end is beyond start */
+    int trailing;                   /* the track is run with decreasing station: facing.h */
     double step;                    /* s */
     enum way_scheme scheme;         /* of the track */
     int implicit_train;             /* 1: average acceleration for the train too */
@@ -33,11 +34,14 @@ struct passage_options {
 
 struct passage {
     struct passage_options o;
-    const struct trk *track;        /* own where it follows the train */
+    const struct trk *facing;       /* as it is described */
+    const struct trk *track;        /* as the train runs on it: that, turned, or own where it follows the train */
+    struct trk turned;              /* of a trailing passage */
     struct trk own;                 /* a moving mass under each wheelset */
     int follows;
     const struct veh *vehicle;
-    const struct ctab *table[2];    /* left, right */
+    const struct ctab *table[2];    /* left, right, as the train has them */
+    struct ctab view[2];            /* of a trailing passage */
     struct alignment alignment;
     struct excitation excitation;
     struct way rails;

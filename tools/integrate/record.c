@@ -1,6 +1,7 @@
 #include "tools/integrate/record.h"
 #include "formats/reason.h"
 #include "tools/contact/clones.h"
+#include "tools/integrate/facing.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -9,10 +10,39 @@
 
 /* ---- setting up ---- */
 
+/* x [n] into a room of its own, which *own is. */
+static const double *copy(const double *x, int64_t n, double **own)
+{
+    if ((*own = calloc((size_t)n + 1, sizeof **own)))
+        memcpy(*own, x, (size_t)n * sizeof **own);
+    return *own;
+}
+
+/* What the run says of a trailing train, in the axes of the track. */
+static const char *describe_trailing(struct record *r, const struct passage *p)
+{
+    const struct veh *v = p->vehicle;
+
+    r->run.cg = copy(v->cg, 3 * v->bodies, &r->cg);
+    r->run.static_q = copy(v->wheel_load, 2 * v->wheelsets, &r->static_q);
+    if (p->follows)
+        r->run.node_x = r->run.sleeper_x = copy(p->track->x, p->track->nodes, &r->node_x);
+    if (!r->run.cg || !r->run.static_q || !r->run.node_x)
+        return REASON_MEMORY;
+    facing_turn(v->bodies, 3, r->cg);
+    facing_turn(v->wheelsets, 1, r->wheelset_x);
+    facing_turn(p->follows ? p->track->nodes : 0, 1, r->node_x);
+    for (int64_t i = 0; i < v->wheelsets; i++) {
+        r->static_q[2 * i] = v->wheel_load[2 * i + 1];
+        r->static_q[2 * i + 1] = v->wheel_load[2 * i];
+    }
+    return NULL;
+}
+
 static const char *describe(struct record *r, const struct passage *p)
 {
     const struct veh *v = p->vehicle;
-    const struct trk *t = p->track;
+    const struct trk *t = p->follows ? p->track : p->facing;
 
     r->wheelset_x = calloc((size_t)v->wheelsets, sizeof *r->wheelset_x);
     if (!r->wheelset_x)
@@ -22,12 +52,15 @@ static const char *describe(struct record *r, const struct passage *p)
     r->run = (struct run){
         .speed = p->o.speed, .step = p->o.step, .friction = p->o.law.friction, .gravity = v->gravity,
         .rail_spacing = t->rail_spacing, .wheelsets = v->wheelsets, .bodies = v->bodies, .sleepers = t->sleepers,
-        .nodes = t->nodes, .zones = t->zones, .curves = t->curves, .wheelset_x = r->wheelset_x,
+        .nodes = t->nodes, .zones = t->zones, .curves = p->facing->curves, .wheelset_x = r->wheelset_x,
         .static_q = v->wheel_load, .radius = v->radius, .wheelset = v->wheelset, .mass = v->mass,
         .inertia = v->inertia, .cg = v->cg, .body_name = v->body_name, .sleeper_x = t->sleeper_x,
         .sleeper_number = t->sleeper_number, .node_x = t->x, .zone_name = t->zone_name, .pad_zone = t->pad_zone,
-        .curve_x = t->curve_x, .curvature = t->curvature,
+        .curve_x = p->facing->curve_x, .curvature = p->facing->curvature,
     };
+    snprintf(r->run.direction, sizeof r->run.direction, "%s", p->o.trailing ? "trailing" : "facing");
+    r->trailing = p->o.trailing;
+    r->follows = p->follows;
     if (p->o.exciter) {
         const struct exciter *e = p->o.exciter;
         r->force_on = e->on;
@@ -39,7 +72,7 @@ static const char *describe(struct record *r, const struct passage *p)
         r->run.probe_on = e->probe_on;
         r->run.probe_held = e->held;
     }
-    return NULL;
+    return p->o.trailing ? describe_trailing(r, p) : NULL;
 }
 
 static const char *allocate(struct record *r)
@@ -102,6 +135,9 @@ void record_free(struct record *r)
     free(r->lowpass);
     free(r->weight);
     free(r->wheelset_x);
+    free(r->cg);
+    free(r->static_q);
+    free(r->node_x);
     *r = (struct record){0};
 }
 
@@ -147,7 +183,7 @@ static void wheel_extremes(struct record *r, const struct passage *p)
         double Q = p->wheel[k].Q;
         if (Q > r->extreme[RUN_MAX_Q][k]) {
             r->extreme[RUN_MAX_Q][k] = Q;
-            r->extreme[RUN_AT_MAX_Q][k] = p->station + r->wheelset_x[k / 2];
+            r->extreme[RUN_AT_MAX_Q][k] = passage_wheel_station(p, k / 2);
         }
         r->extreme[RUN_MIN_Q][k] = fmin(r->extreme[RUN_MIN_Q][k], Q);
         r->extreme[RUN_MAX_Y][k] = fmax(r->extreme[RUN_MAX_Y][k], fabs(p->wheel[k].Y));
@@ -174,7 +210,7 @@ static void wheel_extremes_by_sleeper(struct record *r, const struct passage *p)
     int64_t n = r->run.sleepers;
 
     for (int64_t k = 0; k < 2 * r->run.wheelsets; k++) {
-        double s = p->station + r->wheelset_x[k / 2];
+        double s = passage_wheel_station(p, k / 2);
         int64_t i = p->follows ? k / 2 : sleeper_near(p->track, s);
         double *Q = &r->extreme[RUN_SLEEPER_MAX_Q][k % 2 * n + i], *Y = &r->extreme[RUN_SLEEPER_MAX_Y][k % 2 * n + i];
         *Q = fmax(*Q, p->wheel[k].Q);
@@ -318,6 +354,9 @@ static void sample(struct record *r, const struct passage *p)
     sample_track(r, p);
     if (p->o.exciter)
         sample_exciter(r, p);
+    for (enum run_channel c = 0; c < RUN_CHANNELS && r->trailing; c++)
+        if (r->buffer[c])
+            facing_channel(&r->run, c, r->follows, slot(r, c));
 }
 
 /* ---- low-pass ---- */
@@ -430,4 +469,7 @@ void record_end(struct record *r, int64_t n)
     while (r->begun && r->first <= n)
         complete(r);
     r->begun = 0;
+    for (enum run_extreme c = 0; c < RUN_EXTREMES && r->trailing; c++)
+        facing_extreme(&r->run, c, r->follows, r->extreme[c]);
+    r->trailing = 0;
 }

@@ -26,6 +26,10 @@ struct record {
     int64_t force_on;                    /* of the exciter */
     double *moment;                      /* N m [nodes] */
     double *wheelset_x;                  /* m [wheelsets] */
+    double *cg;                          /* m [bodies][3] */
+    double *static_q;                    /* N [wheelsets][2] */
+    double *node_x;                      /* m [nodes] of a track that follows a trailing train; else NULL */
+    int trailing, follows;               /* samples are turned, and extremes at the end: facing.h */
 };
 
 /* groups[RUN_GROUPS]: which groups of channels to keep; every >= 1 steps between samples; lowpass: forces, motions and accelerations are

@@ -3,6 +3,7 @@
 #include "tools/integrate/steady.h"
 #include "formats/reason.h"
 #include "tools/integrate/check_rail.h"
+#include "tools/integrate/facing.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -115,7 +116,7 @@ static const char *turn_wheel(struct passage *p, int64_t i, int side)
         creep = memory->creep_z;
         const char *why = wheel_force(&p->o.law, &in, memory, w);
         if (why)
-            return reason("wheelset %lld, %s wheel: %s", (long long)i + 1, side ? "right" : "left", why);
+            return reason("wheelset %lld, %s wheel: %s", (long long)i + 1, facing_side(p, side), why);
     }
     check_rail_add(p->track, side, &in, w);
     return NULL;

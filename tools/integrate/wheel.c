@@ -141,7 +141,8 @@ static void add_contact(const struct wheel_law *law, const struct wheel_input *i
     double r[3] = {row[CTAB_X], y - in->y, z - in->z + in->radius}, creep[3], T[3], F[3], M[3];
 
     creepages(in, r, y, g, a->rate[k], creep);
-    double mu = friction_of(&law->varied, law->friction, t->side, in->s, row[CTAB_BODY], g, in->v * hypot(creep[0], creep[1]));
+    const double s = t->turned ? -in->s : in->s;
+    double mu = friction_of(&law->varied, law->friction, t->turned ? t->turned->side : t->side, s, row[CTAB_BODY], g, in->v * hypot(creep[0], creep[1]));
     if (law->creep)
         creep_table(law->creep, semi_a, semi_b, N, mu, t->shear_modulus, t->poisson, creep[0], creep[1], creep[2], T);
     else
