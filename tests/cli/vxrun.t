@@ -114,7 +114,8 @@ refuses 1 "speed_kmh" "a missing key" "$dir/cases/missing.yaml"
 refuses 1 "stepp" "an unknown key in --set" --set stepp=1 "$plain"
 refuses 1 "at least\|>= 1" "no speed" --set speed_kmh=0 "$plain"
 refuses 1 "one of explicit" "a scheme that is not built" --set scheme=newmark "$plain"
-refuses 1 "one of facing" "a direction that is not built" --set direction=trailing "$plain"
+refuses 1 "one of facing" "a direction there is not" --set direction=backwards "$plain"
+refuses 1 "must lie before start" "a trailing end beyond its start" --set direction=trailing "$plain"
 refuses 1 "a .veh file where a .trk file is wanted" "the wrong kind" --track "$dir/coach.veh" "$plain"
 vxtrack -o "$dir/mass.trk" data/tracks/moving-mass.yaml
 vxrun --track "$dir/mass.trk" -o "$dir/m.run" "$plain"
@@ -143,8 +144,8 @@ for model in mass_model=consistent beam=timoshenko; do
     vxrun -v --track "$dir/fine.trk" -o "$dir/f.run" "$plain" 2>"$dir/err"
     is "$? $(grep -c '^vxrun: track implicit, .*wants lumped Euler-Bernoulli rails' "$dir/err")" "0 1" "... which scheme: auto takes, and says why"
 done
-vxtrack --set from=-60 --set length=120 --set 'curve=[{from: -40, curvature: 0.002}]' -o "$dir/curve.trk" data/tracks/thesis-straight.yaml
-refuses 1 "in or behind a curve" "a start in a curve" --track "$dir/curve.trk" "$plain"
+vxtrack --set from=-60 --set length=120 --set 'curve=[{from: -40, curvature: 0.05}]' -o "$dir/curve.trk" data/tracks/thesis-straight.yaml
+refuses 1 "no quasi-static equilibrium found" "a start in a curve that no flange holds" --track "$dir/curve.trk" "$plain"
 
 printf 'station (m), cross_level (mm)\n-100, 0.1\n100, 0.2\n' >"$dir/cases/level.csv"
 printf 'station (m), gauge (mm)\n1, 0.1\n2, 0.2\n' >"$dir/cases/short.csv"
