@@ -4,14 +4,14 @@
 # Headline: see vxrun(1); out/accuracy/comparison.csv, and for the other mesh out/accuracy/model.csv.
 A = out/accuracy
 
-# A run is TRAIN-ROUTE-BALLAST, ballast in MN/m of a sleeper.  Fast and reference settings on one track; fine is another track, of four
-# elements a bay with consistent mass.
+# A run is TRAIN-ROUTE-BALLAST, ballast in MN/m of a sleeper.  Settings fast, reference, and grid, the fast step with the reference's FASTSIM, are
+# of one track; mesh is another model, four elements a bay with consistent mass, and the implicit scheme.
 TRAINS = passenger freight
 ROUTES = through diverging
 BALLASTS = 50 400 3000
 TWELVE = $(foreach t,$(TRAINS),$(foreach r,$(ROUTES),$(foreach b,$(BALLASTS),$t-$r-$b)))
 
-accuracy: $A/comparison.csv $A/model.csv    ## fast against reference settings and another mesh, twelve passages each, into out/accuracy: minutes
+accuracy: $A/summary.txt $A/comparison.csv $A/grid.csv $A/model.csv  ## fast against reference settings, twelve passages, into out/accuracy: minutes
 .PHONY: accuracy
 
 $A/wheel-l.prof $A/wheel-r.prof: data/profiles/S1002.yaml
@@ -28,10 +28,10 @@ $A/$1-mesh-$2.trk: SET = --set ballast.stiffness=$2e6 --set rail.mass_model=cons
 endef
 $(foreach r,$(ROUTES),$(foreach b,$(BALLASTS),$(eval $(call track,$r,$b))))
 
-SETTINGS = fast reference mesh
+SETTINGS = fast reference grid mesh
 define passage
 $(SETTINGS:%=$A/%/$1-$2-$3.run): data/cases/diverging-80.yaml $A/$1.veh $A/$2-l.ctab $A/$2-r.ctab
-$A/fast/$1-$2-$3.run $A/reference/$1-$2-$3.run: $A/$2-$3.trk
+$(patsubst %,$A/%/$1-$2-$3.run,fast reference grid): $A/$2-$3.trk
 $A/mesh/$1-$2-$3.run: $A/$2-mesh-$3.trk
 endef
 $(foreach t,$(TRAINS),$(foreach r,$(ROUTES),$(foreach b,$(BALLASTS),$(eval $(call passage,$t,$r,$b)))))
@@ -40,6 +40,7 @@ $(foreach t,$(TRAINS),$(foreach r,$(ROUTES),$(foreach b,$(BALLASTS),$(eval $(cal
 QUIET = $(foreach c,bodies pads ballast sleepers rails,--set channels.$c=false)
 $(TWELVE:%=$A/fast/%.run): private SET = $(CASE)
 $(TWELVE:%=$A/reference/%.run): private SET = $(CASE) --set step=1e-5 --set contact.grid=50
+$(TWELVE:%=$A/grid/%.run): private SET = $(CASE) --set contact.grid=50
 $(TWELVE:%=$A/mesh/%.run): private SET = $(CASE) --set step=2.5e-5
 CASE = --set name=$(basename $(@F)) --set speed_kmh=$(SPEED) --set route=$(word 2,$(subst -, ,$(@F))) $(QUIET)
 SPEED = $(if $(findstring diverging,$@),80,$(if $(findstring passenger,$@),200,120))
@@ -48,7 +49,15 @@ TABLES = $(foreach s,$(SETTINGS),$(TWELVE:%=$A/$s/%.csv))
 $(TABLES): %.csv: %.run
 $(TABLES): private POST = --table
 
+# The first against the second.
 $A/comparison.csv: $(TWELVE:%=$A/reference/%.csv) $(TWELVE:%=$A/fast/%.csv)
+$A/grid.csv: $(TWELVE:%=$A/reference/%.csv) $(TWELVE:%=$A/grid/%.csv)
 $A/model.csv: $(TWELVE:%=$A/fast/%.csv) $(TWELVE:%=$A/mesh/%.csv)
-$A/comparison.csv $A/model.csv: pipelines/accuracy.awk
+$A/comparison.csv $A/grid.csv $A/model.csv: pipelines/accuracy.awk
 	awk -f $^ >$@
+
+# The largest difference of each quantity in the zones of the turnout, and in how many of them it is 1 per cent or more.
+$A/summary.txt: $A/comparison.csv $A/grid.csv $A/model.csv
+	for f in $^; do awk -F, -v f=$$f 'NR > 1 && $$4 != "no zone" {n[$$5]++; d = $$10 < 0 ? -$$10 : $$10; over[$$5] += d >= 1; \
+	    if (d >= most[$$5]) {most[$$5] = d; at[$$5] = $$1 " " $$2 " " $$3 ", " $$4}} \
+	    END {for (q in n) printf "%-30s %-20s %7.3f %%  %3d of %d  %s\n", f, q, most[q], over[q], n[q], at[q]}' $$f | sort; done >$@

@@ -2,10 +2,12 @@
 # Figures: Q and Y of the leading wheelset through the diverging route at 80 km/h on both tracks, and the spectrum of Q before the turnout
 # (figures 6 to 8 of Lau and Hoff 2018).
 # Time: about 10 s on one core.
-# Headline: sleeper passing at 37 Hz on the full track alone; forces compared part by part in out/moving/turnout-differences.csv.
+# Headline: sleeper passing, 369 N at 37 Hz on the full track, 1e-7 N on moving masses (out/moving/spectrum.txt); in the closure panel Q of the
+# leading left wheel differs by 0.58 kN rms of 118 kN, Y by 1.3 of 20 (out/moving/turnout-differences.csv).
 G = out/moving
+TRACKS = full mass
 
-moving: $(addprefix $G/,vertical.png lateral.png crossing.png spectrum.png turnout-differences.csv full-wheels.csv mass-wheels.csv)  ## full track and moving masses through a turnout, into out/moving
+moving: $(addprefix $G/,vertical.png lateral.png crossing.png spectrum.png turnout-differences.csv $(TRACKS:%=%-wheels.csv)) ## full track and moving masses through a turnout, into out/moving
 .PHONY: moving
 
 $G/wheel-l.prof $G/wheel-r.prof: data/profiles/S1002.yaml
@@ -16,7 +18,6 @@ $G/full.trk: data/tracks/60E1-R760-1-15-diverging.yaml
 $G/mass.trk: data/tracks/60E1-R760-1-15-moving-mass.yaml
 $G/vehicle.veh: data/vehicles/passenger-19t.yaml
 
-TRACKS = full mass
 $(TRACKS:%=$G/%.run): $G/%.run: data/cases/diverging-80.yaml $G/%.trk $G/vehicle.veh $G/turnout-l.ctab $G/turnout-r.ctab
 $(TRACKS:%=$G/%.run): private SET = --set name=$(basename $(@F)) --set sampling=2000 --set channels.rails=false
 $(TRACKS:%=$G/%-wheels.csv): $G/%-wheels.csv: $G/%.run

@@ -1,7 +1,7 @@
-# Passages of one train by samples at the same stations, RUN-samples.csv by vxdump --csv, against the last of them: of each wheelset the
-# largest magnitude and the largest difference of yaw, lateral displacement, place of the most loaded contact on wheel and rail, Q and Y, the station of the wheelset
-# there, the root mean square of the difference, and the range of the reference.  bodies: the body of each wheelset, from 0; x: their stations,
-# from the front one.  between: pairs FROM:TO of stations of the wheelset, compared one by one.
+# Passages of one train by samples at the same stations, RUN-samples.csv by vxdump --csv, against the last of them: of each wheelset the largest
+# magnitude and the largest difference of yaw, lateral displacement, place of the most loaded contact on wheel and rail, Q and Y, the station of
+# the wheelset there, the root mean square of the difference, and the range of the reference.  bodies: the body of each wheelset, from 0; x: their
+# stations, from the front one.  between: pairs FROM:TO of stations of the wheelset, compared one by one.
 BEGIN {
     FS = ","
     wheelsets = split(bodies, body, " ")

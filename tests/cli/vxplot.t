@@ -66,7 +66,7 @@ draws "conicity over amplitude" 800x450 \
 draws "rolling radii of two tables" 800x450 vxplot --size 800x450 l.ctab r.ctab
 draws "rolling radii from text" 800x450 vxplot --size 800x450 radius.txt
 draws "any table from standard input" 800x450 sh -c 'vxplot --size 800x450 --figure table - <radius.txt'
-for figure in vertical lateral max-pads max-ballast; do
+for figure in vertical lateral wheelset max-pads max-ballast; do
     draws "$figure of a run" 800x450 vxplot --size 800x450 --figure $figure a.run
 done
 for figure in pads ballast; do
@@ -93,6 +93,7 @@ fails 2 "frames on standard output" vxplot --each --figure sequence wl.prof turn
 fails 2 "an abbreviated option" vxplot --fig vertical a.run
 fails 1 "a sleeper that is not there" vxplot --figure pads --sleeper 999 a.run
 fails 1 "a wheelset that is not there" vxplot --wheelset 2 a.run
+fails 1 "the motion of a wheelset that is not there" vxplot --figure wheelset --wheelset 2 a.run
 fails 1 "modes of another vehicle" vxplot coach.mod wheelset.veh
 fails 1 "no body in the window" vxplot --from 30 --to 40 coach.veh
 fails 1 "two kinds that fit no figure" vxplot a.run sleeper.frf

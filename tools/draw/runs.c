@@ -80,12 +80,13 @@ const char *runs_lateral(struct chart *c, const struct run *r, const char *label
 static void add_motion(struct chart *c, const struct run *r, const char *label, struct chart_panel *panel, const double *x, const double *load,
                        enum run_channel ch, int64_t index)
 {
+    enum canvas_dash dash = place_dash[panel->colours % 3];
     double *y = channel(c, r, ch, index);
 
     for (int64_t i = 0; y && load && i < r->records; i++)
         y[i] = load[i] > 0 ? y[i] : NAN;
     if (y)
-        chart_add_series(c, panel, label, r->records, x, y)->dash = place_dash[(panel->colours - 1) % 3];
+        chart_add_series(c, panel, label, r->records, x, y)->dash = dash;
 }
 
 const char *runs_wheelset(struct chart *c, const struct run *r, const char *label, const struct runs_choice *choice)
