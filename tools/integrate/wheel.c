@@ -31,6 +31,7 @@ const char *wheel_meet(const struct wheel_input *in, struct wheel_approach *a)
     for (int k = 0; k < a->n; k++) {
         a->c[k].row[CTAB_ANGLE] += in->rail_roll;
         a->cosg[k] = cos(a->c[k].row[CTAB_ANGLE]);
+        a->sing[k] = sin(a->c[k].row[CTAB_ANGLE]);
     }
     return NULL;
 }
@@ -102,15 +103,15 @@ double wheel_press(const struct wheel_law *law, const struct wheel_input *in, co
  * omega x r, omega = (roll' - spin yaw, spin, yaw' + spin roll); the rail comes along x at v(1 - curvature y).  Sideways the material moves
  * by sy; as fast as wheel and rail approach, `rate` downwards, it goes into the contact plane, and along it by the rest:
  * -sy sin g + sz cos g = rate cos g, eta v = sy cos g + sz sin g.  Where contact lies ahead of the axle needs not be known for that. */
-static void creepages(const struct wheel_input *in, const double r[3], double track_y, double angle, double rate, double creep[3])
+static void creepages(const struct wheel_input *in, const double r[3], double track_y, double cosg, double sing, double rate, double creep[3])
 {
     double wx = in->vroll - in->spin * in->yaw, wy = in->spin, wz = in->vyaw + in->spin * in->roll;
     double sx = wy * r[2] - wz * r[1] + in->v * (1 - in->curvature * track_y);
     double sy = in->vy + wz * r[0] - wx * r[2] - in->rail_vy;
 
     creep[0] = sx / in->v;
-    creep[1] = (sy / cos(angle) + rate * sin(angle)) / in->v;
-    creep[2] = ((wz + in->curvature * in->v) * cos(angle) - wy * sin(angle)) / in->v;
+    creep[1] = (sy / cosg + rate * sing) / in->v;
+    creep[2] = ((wz + in->curvature * in->v) * cosg - wy * sing) / in->v;
 }
 
 /* G a b C22 cos^2 g / v: how lateral creep of the linear theory resists the rail's moving sideways. */
@@ -135,12 +136,12 @@ static void add_contact(const struct wheel_law *law, const struct wheel_input *i
 {
     const struct ctab *t = in->table;
     const double *row = a->c[k].row;
-    double N = a->N[k], w = a->c[k].weight, root = cbrt(N), g = row[CTAB_ANGLE], cosg = a->cosg[k], sing = sin(g);
+    double N = a->N[k], w = a->c[k].weight, root = cbrt(N), g = row[CTAB_ANGLE], cosg = a->cosg[k], sing = a->sing[k];
     double y = t->rail_position + in->rail_y + in->line + row[CTAB_RAIL_Y], z = rail_z + row[CTAB_RAIL_Z];
     double semi_a = row[CTAB_HERTZ_A] * root, semi_b = row[CTAB_HERTZ_B] * root;
     double r[3] = {row[CTAB_X], y - in->y, z - in->z + in->radius}, creep[3], T[3], F[3], M[3];
 
-    creepages(in, r, y, g, a->rate[k], creep);
+    creepages(in, r, y, cosg, sing, a->rate[k], creep);
     const double s = t->turned ? -in->s : in->s;
     double mu = friction_of(&law->varied, law->friction, t->turned ? t->turned->side : t->side, s, row[CTAB_BODY], g, in->v * hypot(creep[0], creep[1]));
     if (law->creep)

@@ -86,7 +86,7 @@ void wheel_condense(struct wheel_law *law, double stiffness, double damping, dou
 struct wheel_approach {
     int n;
     struct contact c[CONTACT_MAX];
-    double cosg[CONTACT_MAX];    /* 1 cosine of the contact angle */
+    double cosg[CONTACT_MAX], sing[CONTACT_MAX]; /* 1 cosine and sine of the contact angle */
     double reach[CONTACT_MAX];   /* m how far the wheel stands below first touch, d not counted */
     double rate[CONTACT_MAX];    /* m/s */
     double N[CONTACT_MAX];       /* N of the whole contact; its share is weight N */
