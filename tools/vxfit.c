@@ -81,9 +81,11 @@ static const char *parse(int argc, char **argv)
 static struct place locate(const struct trk *t, int on, const char *option, const char *where)
 {
     struct place p;
-    const char *why = place_named(&p, t, on, where, opt.x, 0);
+    const char *why = place_near(t, opt.x);
 
     if (why)
+        cli_misuse("--x: %s", why);
+    if ((why = place_named(&p, t, on, where, opt.x, 0)))
         cli_misuse("--%s: %s", option, why);
     return p;
 }

@@ -28,12 +28,13 @@ static const char usage[] =
     "vxfreq --modes N [--near HZ] [--damped] [--text] [-o FILE] TRACK|VEHICLE\n"
     "vxfreq --static --load N [--excite left|right|both] [--at sleeper|midspan|M] [--x M] [-o FILE] TRACK\n"
     "vxfreq --static --load N --axles M,... [--excite left|right|both] [--every M] TRACK\n"
+    "vxfreq --static --load N --axles M,... --bearers [--excite left|right|both] TRACK\n"
     "vxfreq --stiffness [--load N] [--every M] TRACK";
 
 enum { AXLES_MOST = 64 };
 
 static struct {
-    int receptance, statics, stiffness, peaks, hermite, damped, text;
+    int receptance, statics, stiffness, peaks, hermite, damped, text, bearers;
     int excite, motion, quantity, lateral, motion_lateral;
     const char *at, *motion_at;      /* NULL: where the force is */
     int64_t modes;
@@ -74,6 +75,7 @@ static const struct cli_option options[] = {
     {.name = "load", .type = CLI_NUM, .value = &opt.load, .lo = 1e-6, .hi = 1e9},
     {.name = "preload", .type = CLI_NUM, .value = &opt.preload, .lo = 1e-6, .hi = 1e9},
     {.name = "axles", .type = CLI_TEXT, .value = &opt.axles},
+    {.name = "bearers", .type = CLI_FLAG, .value = &opt.bearers},
     {.name = "every", .type = CLI_NUM, .value = &opt.every, .lo = 1e-3, .hi = 1e3},
     {.name = "o", .type = CLI_TEXT, .value = &opt.out},
     {0},
@@ -91,7 +93,8 @@ static const char *parse(int argc, char **argv)
     int n;
     char **operand = cli_begin(&program, argc, argv, 1, 1, &n);
     const struct { int asked; const char *what; } form[] = {{opt.receptance, "--receptance"}, {opt.modes > 0, "--modes"},
-        {opt.statics && !opt.axles, "--static at one place"}, {opt.statics && opt.axles, "--static --axles"}, {opt.stiffness, "--stiffness"}};
+        {opt.statics && !opt.axles, "--static at one place"}, {opt.statics && opt.axles && !opt.bearers, "--static --axles"},
+        {opt.statics && opt.axles && opt.bearers, "--static --axles --bearers"}, {opt.stiffness, "--stiffness"}};
 
     if (opt.receptance + opt.statics + opt.stiffness + (opt.modes > 0) != 1)
         cli_misuse("one of --receptance, --modes, --static and --stiffness is wanted");
@@ -112,9 +115,13 @@ static const char *parse(int argc, char **argv)
 static struct place locate(const struct trk *t, int on, const char *option, const char *where, int lateral)
 {
     struct place p;
-    const char *why = place_named(&p, t, on, where, opt.x, lateral);
+    const char *why = place_near(t, opt.x);
 
     if (why)
+        cli_misuse("--x: %s", why);
+    if (lateral && !trk_is_spatial(t))
+        cli_misuse("--direction lateral: a vertical track does not move sideways, one of dofs: spatial does");
+    if ((why = place_named(&p, t, on, where, opt.x, lateral)))
         cli_misuse("--%s: %s", option, why);
     return p;
 }
@@ -176,31 +183,22 @@ static void run_receptance(const struct vxf *f, const char *name)
 static void run_static(const struct vxf *f, const char *name)
 {
     struct cli_out out;
-    struct seat s;
+    struct seat s[TRK_RAILS];
     struct trk t;
 
     cli_check(name, trk_read(&t, f));
     const struct place p = locate_force(&t);
-    cli_check(name, seat_load(&s, &t, &p.point, opt.excite, opt.load));
+    cli_check(name, seat_load(s, &t, &p.point, opt.excite, opt.load));
     cli_create(&out, opt.out, 0);
-    fprintf(out.file, "deflection       %.6g m\n", s.deflection);
-    fprintf(out.file, "seat force       %.6g N\n", s.force);
-    fprintf(out.file, "pad compression  %.6g m\n", s.compression);
+    for (int rail = 0; rail < TRK_RAILS; rail++)
+        if (point_loads(opt.excite, rail))
+            fprintf(out.file, "deflection       %.6g m  %s rail at %.6g m\n"
+                              "seat force       %.6g N  %s rail on sleeper %lld\n"
+                              "pad compression  %.6g m  %s rail on sleeper %lld\n",
+                    s[rail].deflection, place_on[rail], p.x, s[rail].force, place_on[rail], (long long)s[rail].number, s[rail].compression,
+                    place_on[rail], (long long)s[rail].number);
     cli_close(&out);
     trk_free(&t);
-}
-
-/* A table of n rows: stations and values [n][columns - 1]. */
-static void print_table(const struct column *c, int columns, int64_t n, const double *x, const double *value)
-{
-    double row[8];
-
-    cli_header(c, columns);
-    for (int64_t i = 0; i < n; i++) {
-        row[0] = x[i];
-        memcpy(&row[1], &value[i * (columns - 1)], (size_t)(columns - 1) * sizeof *row);
-        cli_row(c, columns, row);
-    }
 }
 
 static void run_along(const struct vxf *f, const char *name)
@@ -208,23 +206,27 @@ static void run_along(const struct vxf *f, const char *name)
     static const struct column stiffness[] = {{"station", "m", 6}, {"left_alone", "N/m", 6}, {"right_alone", "N/m", 6}, {"left", "N/m", 6},
                                               {"right", "N/m", 6}};
     static const struct column bowl[] = {{"station", "m", 6}, {"left", "m", 6}, {"right", "m", 6}};
-    double axle[AXLES_MOST];
-    double *x;
+    static const struct column bearers[] = {{"station", "m", 6}, {"sleeper", "1", 6}, {"left", "N", 6}, {"right", "N", 6}, {"ballast", "N", 6}};
+    double axle[AXLES_MOST], *x;
     struct trk t;
     int64_t n;
 
     cli_check(name, trk_read(&t, f));
     cli_check(name, stiffness_stations(&t, opt.every, &n, &x));
-    double *value = calloc((size_t)n, STIFFNESS_N * sizeof *value);
+    const int axles = opt.axles ? cli_numbers("axles", opt.axles, t.x[0], t.x[t.nodes - 1], axle, AXLES_MOST) : 0;
+    double *value = calloc((size_t)(n + t.sleepers), STIFFNESS_N * sizeof *value);
     if (!value)
         cli_die(REASON_MEMORY);
-    if (opt.stiffness)
+    if (opt.stiffness) {
         cli_check(name, stiffness_along(&t, opt.load, n, x, value));
-    else {
-        const int axles = cli_numbers("axles", opt.axles, t.x[0], t.x[t.nodes - 1], axle, AXLES_MOST);
+        cli_table(stiffness, 1 + STIFFNESS_N, n, x, value);
+    } else if (opt.bearers) {
+        cli_check(name, seat_bearers(&t, opt.excite, opt.load, axles, axle, value));
+        cli_table(bearers, 1 + SEAT_BEARS, t.sleepers, t.sleeper_x, value);
+    } else {
         cli_check(name, stiffness_bowl(&t, opt.excite, opt.load, axles, axle, n, x, value));
+        cli_table(bowl, 1 + TRK_RAILS, n, x, value);
     }
-    print_table(opt.stiffness ? stiffness : bowl, opt.stiffness ? 5 : 3, n, x, value);
     free(x);
     free(value);
     trk_free(&t);
