@@ -173,8 +173,8 @@ static const struct yaml_field CHECK_FIELDS[] = {
     {"rail", YAML_CHOICE, AT(trk_text_check, rail), 0, 0, "", NULL, "beside which rail it stands", NULL, SIDES},
     {"play", YAML_TABLE, AT(trk_text_check, play), -0.1, 1, "m", NULL,
      "free play of the flange's back, wheelset centred, over station; no check rail beyond the ends", NULL, NULL},
-    {"stiffness", YAML_NUM, AT(trk_text_check, stiffness), YAML_POSITIVE, 1e12, "N/m", NULL, "lateral, against the ground", NULL, NULL},
-    {"damping", YAML_NUM, AT(trk_text_check, damping), 0, 1e9, "N.s/m", "0", "lateral, against the ground", NULL, NULL},
+    {"stiffness", YAML_NUM, AT(trk_text_check, stiffness), YAML_POSITIVE, 1e12, "N/m", NULL, "lateral, against the ground, or the beam", NULL, NULL},
+    {"damping", YAML_NUM, AT(trk_text_check, damping), 0, 1e9, "N.s/m", "0", "lateral, against the ground, or the beam", NULL, NULL},
     {"beam", YAML_MAP, AT(trk_text_check, beam), 0, 0, "", YAML_ABSENT, "the check rail on its sleepers, spatial only", &BEAM, NULL},
     {0}};
 
