@@ -1,6 +1,6 @@
 # Question: what do the fast settings (step 1e-4 s, FASTSIM 10x10) cost in accuracy, against a step of 1e-5 s and FASTSIM 50x50 on the same track?
 # Figure: none; tables of every largest wheel force, pad force and pad compression by zone, two trains on two routes on three ballasts.
-# Time: about five minutes on one core, so it is no part of make check.
+# Time: about seven minutes on one core, so it is no part of make check.
 # Headline: coach within 1.4 per cent, freight wagon, which hunts at 120 km/h, within 5.6; with FASTSIM 50x50 alone 1.4 (out/accuracy/summary.txt).
 A = out/accuracy
 
