@@ -69,14 +69,12 @@ static const char *parse(int argc, char **argv)
     asks = opt.schema + opt.master;
     if (asks > 1)
         cli_misuse("--schema and --master exclude each other");
-    if (asks && (n || opt.in.track || opt.in.vehicle || opt.in.left || opt.in.right || opt.in.creep || opt.in.set.n || opt.out || opt.batch))
-        cli_misuse("--%s stands alone", opt.schema ? "schema" : "master");
-    if (!asks && !n)
-        cli_misuse("the case is missing (-h shows the usage)");
+    if (!opt.batch || asks)
+        cli_form(&program, asks ? 2 : 0, opt.schema ? "--schema" : opt.master ? "--master" : "a run");
     if (opt.batch && opt.out)
         cli_misuse("--batch: every line names its own -o");
-    if (opt.jobs && !opt.batch)
-        cli_misuse("--jobs is of a batch");
+    if (!n != asks)
+        cli_misuse(asks ? "--schema and --master stand alone" : "the case is missing (-h shows the usage)");
     if (!isnan(opt.save) && !opt.out && !opt.batch)
         cli_misuse("--save-state wants -o: the state goes beside the run");
     return asks ? NULL : operand[0];
@@ -238,6 +236,8 @@ static void run(const char *path, const struct inputs *kept)
         resume(&p, &in, &state);
     else
         cli_check("start", passage_start(&p, &residual));
+    if (!isnan(opt.save) && !(facing_station(&p, opt.save) > p.station && facing_station(&p, opt.save) <= p.o.end))
+        cli_die("--save-state: %g m is not on the way from %g to %g m", opt.save, facing_station(&p, p.station), facing_station(&p, p.o.end));
     cli_check("run", record_new(&r, &p, in.text.channels.group, every, in.text.filter));
     if (opt.verbose)
         cli_note("writes %.1f MB", 1e-6 * record_bytes(&r) * (double)((p.steps - p.n) / every + 1));

@@ -170,6 +170,7 @@ refuses 1 "none.csv: No such file" "an irregularity that is not there" --set irr
 refuses 1 "file and spectrum exclude each other" "irregularity twice" --set irregularity.file=level.csv --set irregularity.spectrum=erri-low "$plain"
 refuses 1 "shortest, 80 m, must be below longest" "wavelengths the wrong way" --set irregularity.spectrum=erri-low --set irregularity.shortest=80 "$plain"
 refuses 1 "wheel_flat.1.wheelset is 9, but the vehicle has" "a flat on no wheelset" --set 'wheel_flat=[{wheelset: 9, length: 0.05}]' "$plain"
+refuses 1 "--save-state: 20 m is not on the way from -30 to -29 m" "a state beyond the end" --save-state 20 "$plain"
 fails 1 "a full disk" vxrun -o /dev/full "$plain"
 vxrun "$plain" >/dev/full 2>"$dir/err"
 is "$? $(cat "$dir/err")" "1 vxrun: standard output: write error: No space left on device" "a full standard output"
@@ -202,7 +203,7 @@ batch()
     like "$(cat "$dir/err")" "$word" "... $word"
 }
 batch 2 "--batch: every line names its own -o" "-o beside --batch" --batch "$dir/batch" -o "$dir/v0.run" "$plain"
-batch 2 "--jobs is of a batch" "--jobs alone" --jobs 2 "$plain"
+batch 2 "--jobs does not go with a run" "--jobs alone" --jobs 2 "$plain"
 batch 2 "--jobs must be from 1 to 64" "no job" --batch "$dir/batch" --jobs 0 "$plain"
 batch 1 "none: No such file" "a batch that is not there" --batch "$dir/none" "$plain"
 printf '# nothing\n\n' >"$dir/empty"
@@ -214,5 +215,6 @@ batch 1 "v1.run is the output of line 1 too" "two lines with one output" --batch
 batch 1 "none.trk: No such file" "a batch whose own command has no track" --batch "$dir/batch" --track "$dir/none.trk" "$plain"
 [ ! -e "$dir/v0.run" ] && [ ! -e "$dir/v1.run" ]
 ok $? "none has run"
+fails 2 "--schema with --start" vxrun --schema --start x.state
 fails 2 "--save-state without -o" vxrun --save-state -29.5 "$plain"
 done_testing

@@ -236,6 +236,8 @@ static void remember(struct passage *p)
             account_heads(p, k);
         memory->Q_before = memory->Q;
         memory->Q = p->wheel[k].Q;
+        memory->dip = c->in.dip;
+        memory->line = c->in.line;
         memory->Y_before = memory->Y;
         memory->Y = c->made.Y;
         memory->M_before = memory->M;

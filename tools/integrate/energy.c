@@ -24,6 +24,9 @@ void energy_free(struct energy *e)
 /* ---- stored ---- */
 
 /* x' A x/2 */
+/* Less than that is no loss to be measured by. */
+#define NOTHING 1e-6 /* J */
+
 static double half_square(const struct trk *t, const double *Ax, const double *x)
 {
     double sum = 0;
@@ -167,5 +170,5 @@ double energy_end(const struct energy *e, const struct way *w, double *work, dou
         *lost -= last ? 0.5 * sum_of(e->n, last) : 0;
         free(last);
     }
-    return fabs(*work - *left - *lost) / *lost;
+    return fabs(*work - *left - *lost) / fmax(*lost, NOTHING);
 }

@@ -175,11 +175,12 @@ static void add_joint(const struct case_joint *j, double s, struct excitation_at
 }
 
 /* The flat comes to the rail at f->at and once a turn from there.  Fresh, a chord of the wheel: the wheel tips over its first edge and then
- * about its last, so its centre falls by (l/2 - |x|)^2/(2 r).  Worn: depth/2 (1 + cos 2 pi x/l), the depth that of the chord, l^2/(8 r). */
+ * about its last, so its centre falls by (l/2 - |x|)^2/(2 r).  Worn: depth/2 (1 + cos 2 pi x/l), the depth half of the chord's, l^2/(16 r), of
+ * which the edges have been rolled away. */
 static void add_flat(const struct case_flat *f, double s, double r, struct excitation_at *at)
 {
     const double x = remainder(s - f->at, 2 * M_PI * r), edge = 0.5 * f->length - fabs(x), k = 2 * M_PI / f->length;
-    const double depth = f->length * f->length / (8 * r);
+    const double depth = f->length * f->length / (16 * r);
 
     if (edge <= 0)
         return;

@@ -147,7 +147,7 @@ const char *passage_new(struct passage *p, const struct passage_options *o, cons
     const char *why;
 
     *p = (struct passage){.o = *o, .facing = track, .vehicle = vehicle, .table = {left, right}, .station = o->start};
-    p->steps = o->exciter ? o->exciter->steps : (int64_t)ceil((o->end - o->start) / (o->speed * o->step) - 1e-9);
+    p->steps = o->exciter ? o->exciter->steps : passage_steps(o);
     p->memory = calloc(wheels, sizeof *p->memory);
     p->couple = calloc(wheels, sizeof *p->couple);
     p->wheel = calloc(wheels, sizeof *p->wheel);

@@ -9,6 +9,7 @@
 
 /* The track counts as moved where it lies off its rest by this: a railpad of 300 MN/m then has 0.3 N. */
 #define REACH_TOLERANCE 1e-9 /* m */
+#define RAIL_TOLERANCE 1e-9  /* m */
 #define EVERYWHERE 1e9       /* m: a track that follows the train */
 
 /* ---- parts ---- */
@@ -144,6 +145,20 @@ static const char *find_shift(const struct state *s, struct passage *p, double *
     return why;
 }
 
+/* Dips, joints, flats and irregularity may differ ahead of the wheels, but not under them. */
+static const char *check_rail(const struct passage *p)
+{
+    for (int64_t k = 0; k < 2 * p->vehicle->wheelsets; k++) {
+        struct excitation_at at;
+        excitation_find(&p->excitation, passage_wheel_station(p, k / 2), k / 2, (int)(k % 2), p->vehicle->radius[k / 2], &at);
+        const double off = fmax(fabs(at.z - p->memory[k].dip), fabs(at.y - p->memory[k].line));
+        if (off > RAIL_TOLERANCE)
+            return reason("under wheelset %lld the %s rail's irregularity is off that of the state by %.3g mm", (long long)(k / 2 + 1),
+                          k % 2 ? "right" : "left", 1e3 * off);
+    }
+    return NULL;
+}
+
 const char *state_resume(const struct state *s, struct passage *p, const struct state_difference *differs, int n)
 {
     struct state_part part[STATE_PARTS], way[WAY_PARTS];
@@ -168,8 +183,8 @@ const char *state_resume(const struct state *s, struct passage *p, const struct 
     p->time = (double)p->n * p->o.step;
     p->station = p->o.start + p->o.speed * p->time;
     for (int64_t k = 0; k < 2 * p->vehicle->wheelsets; k++)
-        p->couple[k].place = way_find(&p->rails, (int)(k % 2), passage_wheel_station(p, k / 2));
+        p->couple[k].place = passage_place(p, k / 2, (int)(k % 2));
     if (p->o.account)
         passage_account(p);
-    return NULL;
+    return check_rail(p);
 }

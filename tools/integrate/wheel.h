@@ -54,6 +54,7 @@ struct wheel_memory {
     double local, before;        /* m deflection of the rail element under the wheel, between its nodes; a step before that */
     double creep_z;              /* N vertical part of the creep force, a step old while the normal force is sought */
     double Q, Q_before;          /* N on the rail a step ago, and the step before that */
+    double dip, line;            /* m of the rail's irregularity there */
     double Y, Y_before;          /* N, N m on a spatial rail, likewise: struct head_force */
     double M, M_before;
     double check;                /* N on a check rail that is a beam, a step ago */
