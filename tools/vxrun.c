@@ -73,7 +73,7 @@ static const char *parse(int argc, char **argv)
         cli_form(&program, asks ? 2 : 0, opt.schema ? "--schema" : opt.master ? "--master" : "a run");
     if (opt.batch && opt.out)
         cli_misuse("--batch: every line names its own -o");
-    if (!n != asks)
+    if ((n == 0) != asks)
         cli_misuse(asks ? "--schema and --master stand alone" : "the case is missing (-h shows the usage)");
     if (!isnan(opt.save) && !opt.out && !opt.batch)
         cli_misuse("--save-state wants -o: the state goes beside the run");
