@@ -334,11 +334,6 @@ void lumped_step(struct lumped *l, double h)
 
 /* ---- wheels ---- */
 
-struct wheel_place lumped_find(const struct lumped *l, int rail, double x)
-{
-    return wheel_place_find(l->track, l->beam[rail], x);
-}
-
 double lumped_sample(const struct lumped *l, int rail, const struct wheel_place *p, const double f[4], const double *state)
 {
     const double *w = state + (rail ? LUMPED_WR : LUMPED_WL) * l->stride + p->node;

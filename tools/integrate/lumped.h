@@ -45,9 +45,6 @@ void lumped_accelerate(struct lumped *l);
 /* One step of h s by two_step.h, and the accelerations after it, without wheels. */
 void lumped_step(struct lumped *l, double h);
 
-/* The element of rail 0 left or 1 right under station x, which must lie between the first and the last node. */
-struct wheel_place lumped_find(const struct lumped *l, int rail, double x);
-
 /* f.[w t w t] with the shape or slope functions f, of the state u or v. */
 double lumped_sample(const struct lumped *l, int rail, const struct wheel_place *p, const double f[4], const double *state);
 

@@ -17,14 +17,15 @@ static uint64_t next(struct random *r)
     return x ^ (x >> 31);
 }
 
-double random_uniform(struct random *r)
+/* Within 0..1, neither end included. */
+static double uniform(struct random *r)
 {
     return ((double)(next(r) >> 12) + 0.5) / 4503599627370496.0; /* 2^52 */
 }
 
 void random_normal(struct random *r, double x[2])
 {
-    const double radius = sqrt(-2 * log(random_uniform(r))), angle = 2 * M_PI * random_uniform(r);
+    const double radius = sqrt(-2 * log(uniform(r))), angle = 2 * M_PI * uniform(r);
 
     x[0] = radius * cos(angle);
     x[1] = radius * sin(angle);

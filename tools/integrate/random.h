@@ -11,9 +11,6 @@ struct random {
 /* Any seed. */
 void random_begin(struct random *r, uint64_t seed);
 
-/* Within 0..1, neither end included. */
-double random_uniform(struct random *r);
-
 /* Two independent normal numbers of mean 0 and deviation 1. */
 void random_normal(struct random *r, double x[2]);
 

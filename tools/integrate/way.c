@@ -266,12 +266,6 @@ void way_look_head(const struct way *w, const struct head_place *p, struct head_
     yield[2] = direction_give(&p->twist, &p->twist, m->Z, m->beyond);
 }
 
-double way_acceleration(const struct way *w, int rail, const struct wheel_place *p)
-{
-    return is_explicit(w) ? lumped_sample(&w->lumped, rail, p, p->shape, w->lumped.a)
-                          : newmark_sample(&w->newmark, rail, p, p->shape, w->newmark.a);
-}
-
 void way_finish(struct way *w)
 {
     if (!is_explicit(w))

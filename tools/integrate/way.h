@@ -90,9 +90,6 @@ void way_look(const struct way *w, int rail, const struct wheel_place *p, struct
 /* The head of a spatial rail, or of a check rail, and what it yields as in struct way_rail. */
 void way_look_head(const struct way *w, const struct head_place *p, struct head_motion *m, double *turn, double yield[3]);
 
-/* m/s2, of the rail's material at the place: after way_finish. */
-double way_acceleration(const struct way *w, int rail, const struct wheel_place *p);
-
 /* Forces in pads and ballast, and all that is shown above. */
 void way_finish(struct way *w);
 

@@ -16,9 +16,6 @@ struct wheel_place {
     struct head_place head;    /* of a spatial rail, by way_find alone */
 };
 
-/* The element, by the node behind, under station x. */
-int64_t wheel_place_element(const struct trk *t, double x);
-
 /* beam [nodes - 1]: the elements of the rail; x must lie between the first and the last node. */
 struct wheel_place wheel_place_find(const struct trk *t, const struct beam *beam, double x);
 
