@@ -10,7 +10,7 @@
 #include "tools/integrate/options.h"
 #include "tools/integrate/record.h"
 #include "tools/integrate/start.h"
-#include "tools/integrate/states.h"
+#include "tools/integrate/state_file.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -80,16 +80,16 @@ static const char *parse(int argc, char **argv)
     return asks ? NULL : operand[0];
 }
 
-static struct states_origin origin(const struct inputs *in)
+static struct state_file_origin origin(const struct inputs *in)
 {
-    return (struct states_origin){vxf_content(&in->file[1]), {vxf_content(&in->file[2]), vxf_content(&in->file[3])}, in->hash, &in->file[0]};
+    return (struct state_file_origin){vxf_content(&in->file[1]), {vxf_content(&in->file[2]), vxf_content(&in->file[3])}, in->hash, &in->file[0]};
 }
 
 /* Into the .state beside the .run. */
 static void save_state(struct passage *p, const struct inputs *in, const char *failed)
 {
     const size_t n = strlen(opt.out), end = n > 4 && strcmp(opt.out + n - 4, ".run") == 0 ? n - 4 : n;
-    const struct states_origin from = origin(in);
+    const struct state_file_origin from = origin(in);
     char *path = calloc(end + sizeof ".state", 1);
     double *rest = NULL;
     struct vxf_out o;
@@ -99,7 +99,7 @@ static void save_state(struct passage *p, const struct inputs *in, const char *f
     snprintf(path, end + sizeof ".state", "%.*s.state", (int)end, opt.out);
     vxf_out_begin(&o, "state");
     inputs_put(in, &o);
-    cli_check(path, states_put(p, &from, failed, &o, &rest));
+    cli_check(path, state_file_put(p, &from, failed, &o, &rest));
     cli_write(&o, path);
     vxf_out_free(&o);
     free(rest);
@@ -109,12 +109,12 @@ static void save_state(struct passage *p, const struct inputs *in, const char *f
 /* What differs is told; what must not, refused. */
 static void resume(struct passage *p, const struct inputs *in, const struct vxf *file)
 {
-    const struct states_origin from = origin(in);
+    const struct state_file_origin from = origin(in);
     struct state_difference differs[STATE_DIFFERENCES];
     struct state s;
     int n;
 
-    cli_check(opt.start, states_resume(p, &from, file, &s, differs, &n));
+    cli_check(opt.start, state_file_resume(p, &from, file, &s, differs, &n));
     for (int k = 0; k < n; k++)
         cli_note("%s of the track differs from %.2f to %.2f m, beyond the state's reach from %.2f to %.2f m", differs[k].name,
                  differs[k].from, differs[k].to, s.reach[0], s.reach[1]);
@@ -162,7 +162,7 @@ static void write_run(struct passage *p, const struct inputs *in, struct record 
     cli_check(opt.out ? opt.out : "standard output", why);
     if (failed) {
         snprintf(reason_kept, sizeof reason_kept, "%s", failed);
-        if (opt.out && in->files > 1 && states_are_finite(p))      /* for a post-mortem */
+        if (opt.out && in->files > 1 && state_file_is_finite(p))      /* for a post-mortem */
             save_state(p, in, reason_kept);
         cli_die("run: %s", reason_kept);
     }

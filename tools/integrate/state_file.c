@@ -1,9 +1,9 @@
-#include "tools/integrate/states.h"
+#include "tools/integrate/state_file.h"
 
 #include <math.h>
 #include <stdio.h>
 
-const char *states_put(struct passage *p, const struct states_origin *from, const char *failed, struct vxf_out *o, double **rest)
+const char *state_file_put(struct passage *p, const struct state_file_origin *from, const char *failed, struct vxf_out *o, double **rest)
 {
     struct state s;
     struct state_part part[STATE_PARTS];
@@ -21,7 +21,7 @@ const char *states_put(struct passage *p, const struct states_origin *from, cons
     return NULL;
 }
 
-int states_are_finite(struct passage *p)
+int state_file_is_finite(struct passage *p)
 {
     struct state_part part[STATE_PARTS];
     const int n = state_parts(p, part);
@@ -33,8 +33,8 @@ int states_are_finite(struct passage *p)
     return 1;
 }
 
-const char *states_resume(struct passage *p, const struct states_origin *from, const struct vxf *file, struct state *s,
-                          struct state_difference *differs, int *n)
+const char *state_file_resume(struct passage *p, const struct state_file_origin *from, const struct vxf *file, struct state *s,
+                              struct state_difference *differs, int *n)
 {
     const char *why;
 
