@@ -2,6 +2,7 @@
 #include "tools/integrate/lumped.h"
 #include "formats/reason.h"
 #include "tools/contact/clones.h"
+#include "tools/integrate/arrays.h"
 #include "tools/integrate/two_step.h"
 #include "tools/track/rails.h"
 
@@ -13,51 +14,37 @@ enum { LANES = 8 };
 
 /* ---- setting up ---- */
 
-/* The next array of a store made in two passes: the first counts, the second hands out. */
-struct room {
-    double *base;
-    size_t used;
-};
-
-static double *take(struct room *r, size_t n)
+static void place_arrays(struct lumped *l, struct arrays *a)
 {
-    double *p = r->base ? r->base + r->used : NULL;
+    const int64_t n = l->stride, all = LUMPED_PARTS * n;
 
-    r->used += n;
-    return p;
-}
-
-static void place_arrays(struct lumped *l, struct room *r)
-{
-    size_t n = (size_t)l->stride, all = LUMPED_PARTS * n;
-
-    l->u = take(r, all);
-    l->v = take(r, all);
-    l->a = take(r, all);
-    l->before = take(r, all);
-    l->inverse = take(r, all);
+    l->u = arrays_take(a, all);
+    l->v = arrays_take(a, all);
+    l->a = arrays_take(a, all);
+    l->before = arrays_take(a, all);
+    l->inverse = arrays_take(a, all);
     for (int s = 0; s < 2; s++) {
-        l->pad[s] = take(r, n);
-        l->k12[s] = take(r, n);
-        l->k6[s] = take(r, n);
-        l->k4[s] = take(r, n);
-        l->taper_6[s] = take(r, n);
-        l->taper_near[s] = take(r, n);
-        l->taper_far[s] = take(r, n);
-        l->shear[s] = take(r, n + LANES);
-        l->near[s] = take(r, n + LANES);
-        l->far[s] = take(r, n + LANES);
-        l->pad_k[s] = take(r, n);
-        l->pad_c[s] = take(r, n);
-        l->arm[s] = take(r, n);
+        l->pad[s] = arrays_take(a, n);
+        l->k12[s] = arrays_take(a, n);
+        l->k6[s] = arrays_take(a, n);
+        l->k4[s] = arrays_take(a, n);
+        l->taper_6[s] = arrays_take(a, n);
+        l->taper_near[s] = arrays_take(a, n);
+        l->taper_far[s] = arrays_take(a, n);
+        l->shear[s] = arrays_take(a, n + LANES);
+        l->near[s] = arrays_take(a, n + LANES);
+        l->far[s] = arrays_take(a, n + LANES);
+        l->pad_k[s] = arrays_take(a, n);
+        l->pad_c[s] = arrays_take(a, n);
+        l->arm[s] = arrays_take(a, n);
     }
     for (int s = 0; s < 3; s++) {
-        l->ballast[s] = take(r, n);
-        l->ballast_k[s] = take(r, n);
-        l->ballast_c[s] = take(r, n);
-        l->ballast_y[s] = take(r, n);
-        l->gap[s] = take(r, n);
-        l->floor[s] = take(r, n);
+        l->ballast[s] = arrays_take(a, n);
+        l->ballast_k[s] = arrays_take(a, n);
+        l->ballast_c[s] = arrays_take(a, n);
+        l->ballast_y[s] = arrays_take(a, n);
+        l->gap[s] = arrays_take(a, n);
+        l->floor[s] = arrays_take(a, n);
     }
 }
 
@@ -121,7 +108,7 @@ static void set_sleepers(struct lumped *l)
         for (int s = 0; s < 2; s++) {
             l->pad_k[s][i] = t->pad_k[s * l->n + i];
             l->pad_c[s][i] = t->pad_c[s * l->n + i];
-            l->arm[s][i] = (s ? 0.5 : -0.5) * t->rail_spacing - t->sleeper_y[i];
+            l->arm[s][i] = trk_pad_arm(t, s, i);
         }
         for (int s = 0; s < 3; s++) {
             l->ballast_k[s][i] = t->ballast_k[s * l->n + i];
@@ -137,7 +124,7 @@ static void set_sleepers(struct lumped *l)
 
 const char *lumped_new(struct lumped *l, const struct trk *t, double gravity)
 {
-    struct room room = {0};
+    struct arrays a = {0};
 
     *l = (struct lumped){.track = t, .n = t->sleepers, .gravity = gravity};
     l->stride = (t->sleepers + LANES - 1) / LANES * LANES;
@@ -146,12 +133,12 @@ const char *lumped_new(struct lumped *l, const struct trk *t, double gravity)
     if (!is_lumped(t))
         return "the explicit scheme wants lumped Euler-Bernoulli rails with one rail node above every sleeper: mass_model: lumped, beam: euler, "
                "elements_per_bay: 1";
-    place_arrays(l, &room);
-    if (!(l->store = calloc(room.used + LANES, sizeof *l->store)))
+    place_arrays(l, &a);
+    if (!(l->store = calloc(a.used + LANES, sizeof *l->store)))
         return REASON_MEMORY;
-    room.base = l->store + (LANES - (uintptr_t)l->store / sizeof *l->store % LANES) % LANES; /* a vector lies in one line of the cache */
-    room.used = 0;
-    place_arrays(l, &room);
+    a.base = l->store + (LANES - (uintptr_t)l->store / sizeof *l->store % LANES) % LANES; /* a vector lies in one line of the cache */
+    a.used = 0;
+    place_arrays(l, &a);
     l->beam[0] = calloc(2 * (size_t)l->n, sizeof *l->beam[0]);
     if (!l->beam[0]) {
         lumped_free(l);

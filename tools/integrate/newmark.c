@@ -1,6 +1,7 @@
 #include "tools/integrate/newmark.h"
 #include "formats/reason.h"
 #include "tools/contact/clones.h"
+#include "tools/integrate/arrays.h"
 #include "tools/track/rails.h"
 
 #include <stdlib.h>
@@ -11,54 +12,40 @@ enum { RELIEFS_MOST = 40 };
 
 /* ---- setting up ---- */
 
-/* The next array of a store made in two passes: the first counts, the second hands out. */
-struct room {
-    double *base;
-    size_t used;
-};
-
-static double *take(struct room *r, int64_t n)
-{
-    double *p = r->base ? r->base + r->used : NULL;
-
-    r->used += (size_t)n;
-    return p;
-}
-
-static void place_arrays(struct newmark *m, struct room *r)
+static void place_arrays(struct newmark *m, struct arrays *a)
 {
     const int64_t n = m->n + BANDED_PAD, nodes = m->track->nodes, sleepers = m->track->sleepers;
     double **state[] = {&m->weight, &m->u, &m->v, &m->a, &m->u0, &m->f, &m->displaced, &m->moved};
 
     for (size_t k = 0; k < sizeof state / sizeof *state; k++)
-        *state[k] = take(r, n);
-    m->Z = take(r, m->n * (m->beyond + 1));
+        *state[k] = arrays_take(a, n);
+    m->Z = arrays_take(a, m->n * (m->beyond + 1));
     for (int s = 0; s < 2; s++) {
         double **node[] = {&m->near[s], &m->far[s], &m->near_held[s], &m->far_held[s], &m->pitch[s], &m->w[s], &m->wa[s]};
         for (size_t k = 0; k < sizeof node / sizeof *node; k++)
-            *node[k] = take(r, nodes);
+            *node[k] = arrays_take(a, nodes);
         for (int k = 0; k < 5; k++)
-            m->bend[s][k] = take(r, nodes);
-        m->seat[s] = take(r, sleepers);
-        m->arm[s] = take(r, sleepers);
-        m->pad[s] = take(r, sleepers);
+            m->bend[s][k] = arrays_take(a, nodes);
+        m->seat[s] = arrays_take(a, sleepers);
+        m->arm[s] = arrays_take(a, sleepers);
+        m->pad[s] = arrays_take(a, sleepers);
     }
     for (int s = 0; s < TRK_BALLAST; s++)
-        m->ballast[s] = take(r, sleepers);
-    m->z = take(r, sleepers);
-    m->roll = take(r, sleepers);
-    m->za = take(r, sleepers);
+        m->ballast[s] = arrays_take(a, sleepers);
+    m->z = arrays_take(a, sleepers);
+    m->roll = arrays_take(a, sleepers);
+    m->za = arrays_take(a, sleepers);
 }
 
 static const char *allocate(struct newmark *m)
 {
-    struct room room = {0};
+    struct arrays a = {0};
 
-    place_arrays(m, &room);
-    if (!(room.base = m->store = calloc(room.used, sizeof *m->store)))
+    place_arrays(m, &a);
+    if (!(a.base = m->store = calloc(a.used, sizeof *m->store)))
         return REASON_MEMORY;
-    room.used = 0;
-    place_arrays(m, &room);
+    a.used = 0;
+    place_arrays(m, &a);
     m->beam[0] = calloc(2 * (size_t)m->track->nodes, sizeof *m->beam[0]);
     m->beam[1] = m->beam[0] ? m->beam[0] + m->track->nodes : NULL;
     return m->beam[0] ? NULL : REASON_MEMORY;
@@ -79,7 +66,7 @@ static void set_elements(struct newmark *m)
         }
     for (int s = 0; s < 2; s++)
         for (int64_t i = 0; i < m->track->sleepers; i++)
-            m->arm[s][i] = (s ? 0.5 : -0.5) * m->track->rail_spacing - m->track->sleeper_y[i];
+            m->arm[s][i] = trk_pad_arm(m->track, s, i);
 }
 
 /* M e g, e going down with all of the track. */
