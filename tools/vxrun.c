@@ -82,7 +82,8 @@ static const char *parse(int argc, char **argv)
 
 static struct state_file_origin origin(const struct inputs *in)
 {
-    return (struct state_file_origin){vxf_content(&in->file[1]), {vxf_content(&in->file[2]), vxf_content(&in->file[3])}, in->hash, &in->file[0]};
+    return (struct state_file_origin){vxf_content(&in->file[INPUT_VEHICLE]), {vxf_content(&in->file[INPUT_LEFT]), vxf_content(&in->file[INPUT_RIGHT])},
+                                      in->hash, &in->file[INPUT_TRACK]};
 }
 
 /* Into the .state beside the .run. */
@@ -162,7 +163,7 @@ static void write_run(struct passage *p, const struct inputs *in, struct record 
     cli_check(opt.out ? opt.out : "standard output", why);
     if (failed) {
         snprintf(reason_kept, sizeof reason_kept, "%s", failed);
-        if (opt.out && in->files > 1 && state_file_is_finite(p))      /* for a post-mortem */
+        if (opt.out && inputs_have_train(in) && state_file_is_finite(p))      /* for a post-mortem */
             save_state(p, in, reason_kept);
         cli_die("run: %s", reason_kept);
     }
@@ -216,14 +217,14 @@ static void run(const char *path, const struct inputs *kept)
     int64_t every, first;
 
     inputs_read(&in, path, &opt.in, kept);
-    if (in.files == 1 && (opt.start || !isnan(opt.save)))
+    if (!inputs_have_train(&in) && (opt.start || !isnan(opt.save)))
         cli_misuse("a state is of a train: --start and --save-state do not go with a prescribed force");
     if (opt.start) {
         cli_open(&state, opt.start, "state");
         cli_check(opt.start, vxf_number(&state, "START", &in.text.start));
     }
     cli_check("case", options_read(&o, &in.text, in.text.speed / 3.6, in.text.irregularity.file ? &in.measured : NULL));
-    if (in.files > 4)
+    if (inputs_have_creep(&in))
         cli_check("case", options_creep(&o, &in.creep, in.table));
     if (in.text.force.amplitude > 0) {
         cli_check("case", options_exciter(&e, &in.text, &in.track));

@@ -61,11 +61,11 @@ static void read_creep(struct inputs *in, const struct source *from, const char 
 {
     if (!option && !in->text.creep)
         return;
-    in->files = 5;
-    if (open_input(in, from, 4, option, "--creep", in->text.creep, "creep"))
+    in->files = INPUT_CREEP + 1;
+    if (open_input(in, from, INPUT_CREEP, option, "--creep", in->text.creep, "creep"))
         in->creep = from->kept->creep;
     else
-        cli_check(in->name[4], creep_read(&in->creep, &in->file[4]));
+        cli_check(in->name[INPUT_CREEP], creep_read(&in->creep, &in->file[INPUT_CREEP]));
 }
 
 static void read_train(struct inputs *in, const struct source *from, const struct inputs_options *opt)
@@ -74,12 +74,12 @@ static void read_train(struct inputs *in, const struct source *from, const struc
 
     if (!(c->speed > 0))
         cli_die("%s: speed_kmh: missing", from->path);
-    if (open_input(in, from, 1, opt->vehicle, "--vehicle", c->vehicle, "veh"))
+    if (open_input(in, from, INPUT_VEHICLE, opt->vehicle, "--vehicle", c->vehicle, "veh"))
         in->vehicle = from->kept->vehicle;
     else
-        cli_check(in->name[1], veh_read(&in->vehicle, &in->file[1]));
+        cli_check(in->name[INPUT_VEHICLE], veh_read(&in->vehicle, &in->file[INPUT_VEHICLE]));
     for (int side = 0; side < 2; side++) {
-        const int k = 2 + side;
+        const int k = side ? INPUT_RIGHT : INPUT_LEFT;
         if (open_input(in, from, k, side ? opt->right : opt->left, side ? "--contact-right" : "--contact-left",
                        side ? c->contact_right : c->contact_left, "ctab"))
             in->table[side] = from->kept->table[side];
@@ -102,16 +102,26 @@ void inputs_read(struct inputs *in, const char *path, const struct inputs_option
         cli_die("%s", why); /* begins with its place */
     if (strlen(c->name) >= sizeof ((struct run *)NULL)->name)
         cli_die("%s: name: longer than %zu letters", path, sizeof ((struct run *)NULL)->name - 1);
-    in->files = c->force.amplitude > 0 ? 1 : 4;
-    if (in->files == 1 && (c->vehicle || c->contact_left || c->contact_right || opt->vehicle || opt->left || opt->right || opt->creep))
+    in->files = c->force.amplitude > 0 ? INPUT_TRACK + 1 : INPUT_RIGHT + 1;
+    if (!inputs_have_train(in) && (c->vehicle || c->contact_left || c->contact_right || opt->vehicle || opt->left || opt->right || opt->creep))
         cli_die("%s: force: a prescribed force stands instead of vehicle and contact tables", path);
-    if (open_input(in, &from, 0, opt->track, "--track", c->track, "trk"))
+    if (open_input(in, &from, INPUT_TRACK, opt->track, "--track", c->track, "trk"))
         in->track = kept->track;
     else
-        cli_check(in->name[0], trk_read(&in->track, &in->file[0]));
-    check_track(in->name[0], c, &in->track);
-    if (in->files > 1)
+        cli_check(in->name[INPUT_TRACK], trk_read(&in->track, &in->file[INPUT_TRACK]));
+    check_track(in->name[INPUT_TRACK], c, &in->track);
+    if (inputs_have_train(in))
         read_train(in, &from, opt);
+}
+
+int inputs_have_train(const struct inputs *in)
+{
+    return in->files > INPUT_VEHICLE;
+}
+
+int inputs_have_creep(const struct inputs *in)
+{
+    return in->files > INPUT_CREEP;
 }
 
 void inputs_put(const struct inputs *in, struct vxf_out *o)
