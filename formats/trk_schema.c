@@ -122,7 +122,7 @@ static const struct yaml_field SPRING_FIELDS[] = {
     {"stiffness", YAML_TABLE, AT(trk_text_spring, stiffness), 0, 1e12, "N/m", YAML_ABSENT, "of this spring, instead of its part of the whole",
      NULL, NULL},
     {"damping", YAML_TABLE, AT(trk_text_spring, damping), 0, 1e9, "N.s/m", YAML_ABSENT, "likewise", NULL, NULL},
-    {"gap", YAML_TABLE, AT(trk_text_spring, gap), 0, 1, "m", YAML_ABSENT, "above this spring, instead of ballast.gap", NULL, NULL},
+    {"gap", YAML_TABLE, AT(trk_text_spring, gap), 0, 0.05, "m", YAML_ABSENT, "above this spring, instead of ballast.gap", NULL, NULL},
     {0}};
 
 static const struct yaml_schema SPRING = {"spring", sizeof(struct trk_text_spring), SPRING_FIELDS};
@@ -132,7 +132,7 @@ static const struct yaml_field BALLAST_FIELDS[] = {
      "of a whole sleeper; left, middle and right each take a third, of a moving mass left and right a half", NULL, NULL},
     {"damping", YAML_TABLE, AT(trk_text_ballast, damping), 0, 1e9, "N.s/m", NULL, "of a whole sleeper, likewise", NULL, NULL},
     {"edge", YAML_NUM, AT(trk_text_ballast, edge), 0, 10, "m", "0.35", "outer springs, from the ends of the sleeper", NULL, NULL},
-    {"gap", YAML_TABLE, AT(trk_text_ballast, gap), 0, 1, "m", "0", "void under the unloaded sleeper; where there is one, ballast pushes only", NULL,
+    {"gap", YAML_TABLE, AT(trk_text_ballast, gap), 0, 0.05, "m", "0", "void under the unloaded sleeper; where there is one, ballast pushes only", NULL,
      NULL},
     {"tension", YAML_BOOL, AT(trk_text_ballast, tension), 0, 0, "", "true", "whether ballast without a void holds both ways", NULL, NULL},
     {"left", YAML_MAP, AT(trk_text_ballast, left), 0, 0, "", YAML_ABSENT, "what is different in the left spring", &SPRING, NULL},

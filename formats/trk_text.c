@@ -6,6 +6,7 @@
 
 #include "formats/reason.h"
 #include "formats/trk.h"
+#include "formats/trk_text_tables.h"
 
 static const char *check_curve(const struct yaml_list *curve)
 {
@@ -40,6 +41,10 @@ static const char *check_ranges(const char *list, int64_t number, const struct y
         if (floor(first) < first || floor(last) < last || last < first)
             return reason("%s.%lld.sleepers: [%g, %g] must be two whole numbers, the first not above the last", list, (long long)number,
                           first, last);
+        for (int64_t j = 0; j < i; j += 2)
+            if (first <= sleepers->x[j + 1] && last >= sleepers->x[j])
+                return reason("%s.%lld.sleepers: [%g, %g] and [%g, %g] have sleepers in common", list, (long long)number, sleepers->x[j],
+                              sleepers->x[j + 1], first, last);
     }
     return NULL;
 }
@@ -142,7 +147,7 @@ static const char *check(const struct trk_text *in)
     for (int64_t k = 0; k < in->zone.n; k++)
         if ((why = check_zone(&z[k], k + 1)) || (why = check_zone_name(z, k)))
             return why;
-    return NULL;
+    return trk_text_tables(in);
 }
 
 const char *trk_text_read(struct trk_text *in, const char *path, char *const *set, int sets, uint64_t *hash)
@@ -153,7 +158,7 @@ const char *trk_text_read(struct trk_text *in, const char *path, char *const *se
     why = check(in);
     if (why) {
         trk_text_free(in);
-        return reason("%s: error: %s", strcmp(path, "-") ? path : "standard input", why);
+        return yaml_blame(path, &trk_text_schema, set, sets, why);
     }
     return NULL;
 }

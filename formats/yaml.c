@@ -193,7 +193,7 @@ static const char *table(struct walk *w, const struct yaml_field *f, const struc
         why = yaml_error(w->path, node, "%s: %lld places but %lld values", f->key, (long long)at.n, (long long)value.n);
     for (int64_t i = 1; !why && i < at.n; i++)
         if (!(at.x[i] > at.x[i - 1]))
-            why = yaml_error(w->path, over->child[i], "%s: places must increase", f->key);
+            why = yaml_error(w->path, over->child[i], "%s: places must increase, %g after %g", f->key, at.x[i], at.x[i - 1]);
     return why;
 }
 
