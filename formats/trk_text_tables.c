@@ -1,7 +1,9 @@
-/* A table none of whose places is on the track says one number for all of it, which is hardly meant: a wrong sign, or another track's. */
+/* A table none of whose places is on the track says one number for all of it, which is hardly meant: a wrong sign, or another track's.
+ * What belongs to sleepers is told at them; rails vary between them too. */
 #include "formats/trk_text_tables.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "formats/reason.h"
 
@@ -12,7 +14,7 @@ static const char *check_table(const struct yaml_table *t, const char *path, con
     const double spacing = in->sleeper.spacing, first = floor((in->from - in->first_sleeper) / spacing + 1.5);
     const double from = t->by_number ? first : in->from, to = t->by_number ? first + in->length / spacing - 1 : in->from + in->length;
 
-    for (int64_t i = 0; i < t->n && t->by_number && t->n > 1; i++)
+    for (int64_t i = 0; i < t->n && t->by_number && t->n > 1 && strncmp(path, "rail.", 5); i++)
         if (floor(t->at[i]) < t->at[i])
             return reason("%s: %g is no number of a sleeper, which are whole", path, t->at[i]);
     if (t->n > 1 && (t->at[t->n - 1] < from - ROUNDING || t->at[0] > to + ROUNDING))

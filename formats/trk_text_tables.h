@@ -4,7 +4,7 @@
 
 #include "formats/trk_text.h"
 
-/* Each table of two places or more has one on the track at least, or the track between two; places by number are whole. */
+/* Each table of two places or more has one on the track at least, or the track between two; places by number, but of rails, are whole. */
 const char *trk_text_tables(const struct trk_text *in);
 
 #endif
