@@ -1,187 +1,7 @@
 /* Everything per step runs over arrays of `stride` numbers: elements along a rail, pads, ballast, accelerations. */
 #include "tools/integrate/lumped.h"
-#include "formats/reason.h"
 #include "tools/contact/clones.h"
-#include "tools/integrate/arrays.h"
 #include "tools/integrate/two_step.h"
-#include "tools/track/rails.h"
-
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-
-enum { LANES = 8 };
-
-/* ---- setting up ---- */
-
-static void place_arrays(struct lumped *l, struct arrays *a)
-{
-    const int64_t n = l->stride, all = LUMPED_PARTS * n;
-
-    l->u = arrays_take(a, all);
-    l->v = arrays_take(a, all);
-    l->a = arrays_take(a, all);
-    l->before = arrays_take(a, all);
-    l->inverse = arrays_take(a, all);
-    for (int s = 0; s < 2; s++) {
-        l->pad[s] = arrays_take(a, n);
-        l->k12[s] = arrays_take(a, n);
-        l->k6[s] = arrays_take(a, n);
-        l->k4[s] = arrays_take(a, n);
-        l->taper_6[s] = arrays_take(a, n);
-        l->taper_near[s] = arrays_take(a, n);
-        l->taper_far[s] = arrays_take(a, n);
-        l->shear[s] = arrays_take(a, n + LANES);
-        l->near[s] = arrays_take(a, n + LANES);
-        l->far[s] = arrays_take(a, n + LANES);
-        l->pad_k[s] = arrays_take(a, n);
-        l->pad_c[s] = arrays_take(a, n);
-        l->arm[s] = arrays_take(a, n);
-    }
-    for (int s = 0; s < 3; s++) {
-        l->ballast[s] = arrays_take(a, n);
-        l->ballast_k[s] = arrays_take(a, n);
-        l->ballast_c[s] = arrays_take(a, n);
-        l->ballast_y[s] = arrays_take(a, n);
-        l->gap[s] = arrays_take(a, n);
-        l->floor[s] = arrays_take(a, n);
-    }
-}
-
-/* K = [w -c1 -w -c2; . n c1 f; . . w c2; . . . m]: what is alike at both ends into k12, k6, k4, the rest into the taper. */
-static void set_tapered(struct lumped *l, int s, int64_t i)
-{
-    double K[4][4];
-
-    beam_stiffness(&l->beam[s][i], K);
-    l->k12[s][i] = K[0][0];
-    l->k6[s][i] = -0.5 * (K[0][1] + K[0][3]);
-    l->k4[s][i] = 2 * K[1][3];
-    l->taper_6[s][i] = -0.5 * (K[0][1] - K[0][3]);
-    l->taper_near[s][i] = K[1][1] - 2 * K[1][3];
-    l->taper_far[s][i] = K[3][3] - 2 * K[1][3];
-    l->tapered[s] = 1;
-}
-
-static void set_rail(struct lumped *l, int s)
-{
-    const struct trk *t = l->track;
-    double *w = l->inverse + (s ? LUMPED_WR : LUMPED_WL) * l->stride;
-    double *p = l->inverse + (s ? LUMPED_TR : LUMPED_TL) * l->stride;
-
-    for (int64_t i = 0; i < l->n; i++) {
-        w[i] = 1 / t->rail_mass[s * l->n + i];
-        p[i] = 1 / t->rail_inertia[s * l->n + i];
-    }
-    for (int64_t i = 0; i + 1 < l->n; i++) {
-        const struct beam b = l->beam[s][i] = rails_beam(t, s, i);
-        const double EI = b.bending, L = b.length;
-        if (!(EI > 0))
-            set_tapered(l, s, i);
-        else {
-            l->k12[s][i] = 12 * EI / (L * L * L);
-            l->k6[s][i] = 6 * EI / (L * L);
-            l->k4[s][i] = 4 * EI / L;
-        }
-    }
-}
-
-/* The explicit scheme's rails: mass at the nodes alone, Euler-Bernoulli, a node above every sleeper. */
-static int is_lumped(const struct trk *t)
-{
-    int same = t->nodes == t->sleepers && t->nodes >= 2;
-
-    for (int64_t k = 0; k < TRK_RAILS * (t->nodes - 1); k++)
-        same &= t->rail_density[k] <= 0 && t->rail_rotary[k] <= 0 && t->rail_shear[k] <= 0;
-    for (int64_t k = 0; k < TRK_RAILS * t->nodes; k++)
-        same &= t->rail_mass[k] > 0 && t->rail_inertia[k] > 0;
-    return same;
-}
-
-static void set_sleepers(struct lumped *l)
-{
-    const struct trk *t = l->track;
-
-    for (int64_t i = 0; i < l->n; i++) {
-        l->inverse[LUMPED_Z * l->stride + i] = 1 / t->sleeper_mass[i];
-        l->inverse[LUMPED_ROLL * l->stride + i] = 1 / t->sleeper_inertia[i];
-        for (int s = 0; s < 2; s++) {
-            l->pad_k[s][i] = t->pad_k[s * l->n + i];
-            l->pad_c[s][i] = t->pad_c[s * l->n + i];
-            l->arm[s][i] = trk_pad_arm(t, s, i);
-        }
-        for (int s = 0; s < 3; s++) {
-            l->ballast_k[s][i] = t->ballast_k[s * l->n + i];
-            l->ballast_c[s][i] = t->ballast_c[s * l->n + i];
-            l->ballast_y[s][i] = t->ballast_y[s * l->n + i];
-            l->gap[s][i] = t->ballast_gap[s * l->n + i];
-            const int bonded = t->ballast_state[s * l->n + i] == TRK_BONDED;
-            l->floor[s][i] = bonded ? -HUGE_VAL : 0;
-            l->pushes[s] |= !bonded;
-        }
-    }
-}
-
-const char *lumped_new(struct lumped *l, const struct trk *t, double gravity)
-{
-    struct arrays a = {0};
-
-    *l = (struct lumped){.track = t, .n = t->sleepers, .gravity = gravity};
-    l->stride = (t->sleepers + LANES - 1) / LANES * LANES;
-    if (trk_is_spatial(t))
-        return "the explicit scheme does not move rails sideways: dofs: vertical, or the implicit one";
-    if (!is_lumped(t))
-        return "the explicit scheme wants lumped Euler-Bernoulli rails with one rail node above every sleeper: mass_model: lumped, beam: euler, "
-               "elements_per_bay: 1";
-    place_arrays(l, &a);
-    if (!(l->store = calloc(a.used + LANES, sizeof *l->store)))
-        return REASON_MEMORY;
-    a.base = l->store + (LANES - (uintptr_t)l->store / sizeof *l->store % LANES) % LANES; /* a vector lies in one line of the cache */
-    a.used = 0;
-    place_arrays(l, &a);
-    l->beam[0] = calloc(2 * (size_t)l->n, sizeof *l->beam[0]);
-    if (!l->beam[0]) {
-        lumped_free(l);
-        return REASON_MEMORY;
-    }
-    l->beam[1] = l->beam[0] + l->n;
-    for (int s = 0; s < 2; s++)
-        set_rail(l, s);
-    set_sleepers(l);
-    return NULL;
-}
-
-void lumped_free(struct lumped *l)
-{
-    free(l->store);
-    free(l->beam[0]);
-    *l = (struct lumped){0};
-}
-
-void lumped_set(struct lumped *l, const double *u)
-{
-    const struct trk *t = l->track;
-
-    memset(l->v, 0, (size_t)(LUMPED_PARTS * l->stride) * sizeof *l->v);
-    for (int64_t i = 0; i < t->nodes; i++)
-        for (int part = LUMPED_WL; part <= LUMPED_TR; part++)
-            l->u[part * l->stride + i] = u[t->node_dof[i] + part];
-    for (int64_t i = 0; i < t->sleepers; i++)
-        for (int part = LUMPED_Z; part <= LUMPED_ROLL; part++)
-            l->u[part * l->stride + i] = u[t->sleeper_dof[i] + part - LUMPED_Z];
-}
-
-void lumped_state(const struct lumped *l, const double *state, double *x)
-{
-    const struct trk *t = l->track;
-
-    for (int64_t i = 0; i < t->nodes; i++)
-        for (int part = LUMPED_WL; part <= LUMPED_TR; part++)
-            x[t->node_dof[i] + part] = state[part * l->stride + i];
-    for (int64_t i = 0; i < t->sleepers; i++)
-        for (int part = LUMPED_Z; part <= LUMPED_ROLL; part++)
-            x[t->sleeper_dof[i] + part - LUMPED_Z] = state[part * l->stride + i];
-}
 
 /* ---- accelerations ---- */
 
@@ -277,7 +97,7 @@ static void accelerate(struct lumped *l, int64_t i, int64_t to)
 
     for (int s = 0; s < 2; s++) {
         const int64_t w = (s ? LUMPED_WR : LUMPED_WL) * k + i, t = (s ? LUMPED_TR : LUMPED_TL) * k + i;
-        double *shear = l->shear[s] + LANES + i, *near = l->near[s] + LANES + i, *far = l->far[s] + LANES + i;
+        double *shear = l->shear[s] + LUMPED_LANES + i, *near = l->near[s] + LUMPED_LANES + i, *far = l->far[s] + LUMPED_LANES + i;
         bend(elements, l->u + w, l->u + t, l->k12[s] + i, l->k6[s] + i, l->k4[s] + i, shear, near, far);
         if (l->tapered[s])
             bend_tapered(elements, l->u + w, l->u + t, l->taper_6[s] + i, l->taper_near[s] + i, l->taper_far[s] + i, shear, near, far);
@@ -311,7 +131,7 @@ void lumped_step(struct lumped *l, double h)
     int64_t moved = 0;
 
     for (int64_t i = 0; i < l->n; i += BLOCK) {
-        const int64_t to = i + BLOCK < l->n ? i + BLOCK : l->n, ahead = i + BLOCK + LANES < k ? i + BLOCK + LANES : k;
+        const int64_t to = i + BLOCK < l->n ? i + BLOCK : l->n, ahead = i + BLOCK + LUMPED_LANES < k ? i + BLOCK + LUMPED_LANES : k;
         for (int64_t part = moved; part < LUMPED_PARTS * k; part += k)
             two_step(ahead - moved, h, l->u + part, l->v + part, l->a + part, l->before + part);
         moved = ahead;
@@ -339,8 +159,8 @@ void lumped_load(struct lumped *l, int rail, const struct wheel_place *p, double
     l->a[t] += F * p->shape[1] * l->inverse[t];
     l->a[w + 1] += F * p->shape[2] * l->inverse[w + 1];
     l->a[t + 1] += F * p->shape[3] * l->inverse[t + 1];
-    l->near[rail][LANES + p->node] -= F * p->shape[1];
-    l->far[rail][LANES + p->node] -= F * p->shape[3];
+    l->near[rail][LUMPED_LANES + p->node] -= F * p->shape[1];
+    l->far[rail][LUMPED_LANES + p->node] -= F * p->shape[3];
 }
 
 CLONES static void mean_moment(int64_t n, const double *restrict near, const double *restrict far, double *restrict m)
@@ -353,47 +173,9 @@ CLONES static void mean_moment(int64_t n, const double *restrict near, const dou
  * ahead differ by the node's inertia: the mean is taken. */
 void lumped_moment(const struct lumped *l, int rail, double *m)
 {
-    const double *near = l->near[rail] + LANES, *far = l->far[rail] + LANES;
+    const double *near = l->near[rail] + LUMPED_LANES, *far = l->far[rail] + LUMPED_LANES;
 
     mean_moment(l->n, near, far, m);
     m[0] = -near[0];
     m[l->n - 1] = far[l->n - 2];
-}
-
-/* ---- stability ---- */
-
-enum { POWER_ITERATIONS = 400 };
-
-/* x <- M^-1 K x, scaled: the factor tends to the square of the highest frequency.  M^-1 K is similar to a symmetric
- * matrix, so the quotient with M as weight is that of Rayleigh and converges as the square of the vector does. */
-double lumped_highest(struct lumped *l)
-{
-    size_t n = (size_t)(LUMPED_PARTS * l->stride);
-    double lambda = 0, g = l->gravity;
-    int pushes[3];
-
-    memcpy(pushes, l->pushes, sizeof pushes);
-    memset(l->pushes, 0, sizeof pushes);
-    l->gravity = 0;
-    memset(l->v, 0, n * sizeof *l->v);
-    for (size_t i = 0; i < n; i++)
-        l->u[i] = l->inverse[i] > 0 ? (i % 2 ? -1.0 : 1.0) / (1.0 + (double)(i % 7)) : 0;
-    for (int k = 0; k < POWER_ITERATIONS; k++) {
-        double xx = 0, xy = 0, yy = 0;
-        lumped_accelerate(l);
-        for (size_t i = 0; i < n; i++)
-            if (l->inverse[i] > 0) {
-                xx += l->u[i] * l->u[i] / l->inverse[i];
-                xy -= l->u[i] * l->a[i] / l->inverse[i];
-                yy += l->a[i] * l->a[i];
-            }
-        lambda = xy / xx;
-        for (size_t i = 0; i < n; i++)
-            l->u[i] = -l->a[i] / sqrt(yy);
-    }
-    memset(l->u, 0, n * sizeof *l->u);
-    memset(l->a, 0, n * sizeof *l->a);
-    l->gravity = g;
-    memcpy(l->pushes, pushes, sizeof pushes);
-    return sqrt(lambda);
 }

@@ -9,6 +9,8 @@
 
 enum lumped_part { LUMPED_WL, LUMPED_TL, LUMPED_WR, LUMPED_TR, LUMPED_Z, LUMPED_ROLL, LUMPED_PARTS };
 
+enum { LUMPED_LANES = 8 }; /* numbers of a whole vector */
+
 struct lumped {
     const struct trk *track;            /* must outlive this */
     int64_t n, stride;                  /* sleepers; rounded up to whole vectors */
