@@ -190,13 +190,14 @@ static void run_static(const struct vxf *f, const char *name)
     const struct place p = locate_force(&t);
     cli_check(name, seat_load(s, &t, &p.point, opt.excite, opt.load));
     cli_create(&out, opt.out, 0);
-    for (int rail = 0; rail < TRK_RAILS; rail++)
-        if (point_loads(opt.excite, rail))
-            fprintf(out.file, "deflection       %.6g m  %s rail at %.6g m\n"
-                              "seat force       %.6g N  %s rail on sleeper %lld\n"
-                              "pad compression  %.6g m  %s rail on sleeper %lld\n",
-                    s[rail].deflection, place_on[rail], p.x, s[rail].force, place_on[rail], (long long)s[rail].number, s[rail].compression,
-                    place_on[rail], (long long)s[rail].number);
+    const int alike = point_loads(opt.excite, TRK_LEFT) && point_loads(opt.excite, TRK_RIGHT) && seat_alike(&s[TRK_LEFT], &s[TRK_RIGHT]);
+    for (int rail = 0; rail < (alike ? 1 : TRK_RAILS); rail++)
+        if (point_loads(opt.excite, rail)) {
+            const char *on = alike ? "each" : place_on[rail];
+            fprintf(out.file, "deflection       %.6g m  %s rail at %.6g m\n", s[rail].deflection, on, p.x);
+            fprintf(out.file, "seat force       %.6g N  %s rail on sleeper %lld\n", s[rail].force, on, (long long)s[rail].number);
+            fprintf(out.file, "pad compression  %.6g m  %s rail on sleeper %lld\n", s[rail].compression, on, (long long)s[rail].number);
+        }
     cli_close(&out);
     trk_free(&t);
 }

@@ -76,6 +76,16 @@ static double push(const struct trk *t, int64_t sleeper, const double *u)
     return force;
 }
 
+static int is_same(double a, double b)
+{
+    return fabs(a - b) <= 1e-9 * fabs(a);
+}
+
+int seat_alike(const struct seat *a, const struct seat *b)
+{
+    return is_same(a->deflection, b->deflection) && is_same(a->force, b->force) && is_same(a->compression, b->compression);
+}
+
 const char *seat_bearers(const struct trk *t, int excite, double load, int axles, const double *axle, double *force)
 {
     struct equilibrium e;

@@ -15,6 +15,9 @@ struct seat {
 /* s [TRK_RAILS]: load (N, down) on each rail that excite names; of a rail that it does not name, what it does all the same. */
 const char *seat_load(struct seat *s, const struct trk *t, const struct point *p, int excite, double load);
 
+/* Whether both rails do the same, but for rounding. */
+int seat_alike(const struct seat *a, const struct seat *b);
+
 enum { SEAT_NUMBER, SEAT_LEFT, SEAT_RIGHT, SEAT_BALLAST, SEAT_BEARS };
 
 /* force [sleepers][SEAT_BEARS]: number of each sleeper, and what load (N, down) on each rail that excite names adds at every axle [axles] (m)
