@@ -288,9 +288,9 @@ refuses 1 "a lumped rail needs it" "pitch inertia of one lumped rail alone" sh -
 $bin/vxtrack --set 'rail.left.mass={station: [0, 1.2], value: [60, 180]}' -o "$tmp/heavy.trk" $track
 $bin/vxdump --csv "$tmp/heavy.trk" rail.mass | awk -F, 'NR == 2 { left = $26 } NR == 3 { right = $26 } END { exit !(left > 53.9999 && left < 54.0001 && right == 36) }'
 ok $? "mass 60 to 180 kg/m over 1.2 m: 54 kg at 0.3 m, 36 kg beside it"
-gap() { $bin/vxtrack --set "ballast.gap={number: [0, 1, 2], value: [0, $1, 0]}" $track | $bin/vxfreq --static --load 60000 --x 0.3 - | awk '/^deflection.*left/ { print $2 }'; }
+gap() { $bin/vxtrack --set "ballast.gap={number: [0, 1, 2], value: [0, $1, 0]}" $track | $bin/vxfreq --static --load 60000 --x 0.3 - | awk '/^deflection/ { print $2 }'; }
 [ "$(gap 1e-9)" = 0.000298623 ] && [ "$(gap 0.05)" = "$($bin/vxtrack --set 'ballast.stiffness={number: [0, 1, 2], value: [280e6, 1e-9, 280e6]}' $track |
-	$bin/vxfreq --static --load 60000 --x 0.3 - | awk '/^deflection.*left/ { print $2 }')" ]
+	$bin/vxfreq --static --load 60000 --x 0.3 - | awk '/^deflection/ { print $2 }')" ]
 ok $? "a gap of nothing is linear ballast, one of 50 mm is none"
 awk -v a="$(gap 0.0002)" 'BEGIN { exit !(a > 0.00037 && a < 0.000375) }'
 ok $? "one of 0.2 mm closes under 60 kN a rail"
