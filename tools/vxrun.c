@@ -159,7 +159,7 @@ static void write_run(struct passage *p, const struct inputs *in, struct record 
     if (!why)
         why = vxf_stream_block(&stream, r->held, r->series);
     if (!why && !failed)
-        why = vxf_stream_end(&stream, (const void *const *)r->extreme);
+        why = vxf_stream_end(&stream, (const void *const *)r->extremes.of);
     cli_check(opt.out ? opt.out : "standard output", why);
     if (failed) {
         snprintf(reason_kept, sizeof reason_kept, "%s", failed);
