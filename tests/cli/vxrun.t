@@ -83,7 +83,8 @@ vxrun --schema | grep -q '^contact.law	word	-	hertz|linear	hertz	'
 ok $? "--schema names the keys with range and default"
 
 # The page's table is the schema's.
-vxrun --schema | awk -F'\t' 'NR > 1 {print ".It " $1 " Ta " $3 " Ta " $5 " Ta " $6}' >"$dir/schema"
+vxrun --schema | awk -F'\t' 'NR > 1 {words = $4; gsub(/[|]/, ", ", words)
+    print ".It " $1 " Ta " $3 " Ta " $5 " Ta " $6 ($2 == "word" ? " (" words ")" : "")}' >"$dir/schema"
 is "$(sed -n '/^\.It Sy key/,/^\.El/{/^\.It Sy key/d; /^\.El/d; p}' man/case-input.5 | diff - "$dir/schema")" "" "case-input(5) has the keys of --schema"
 
 # refuses STATUS WORD WHAT ARGUMENT...: and leaves neither a .run nor a .part.

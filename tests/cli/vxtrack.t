@@ -55,7 +55,7 @@ refuses 1 "which a moving mass has" "a moving mass of two bays" $bin/vxtrack --s
 refuses 1 "held is for model: moving_mass alone" "sleepers held in roll under a fixed track" $bin/vxtrack --set sleeper.roll=held $track
 
 # The table of the page is the schema's: every key is there with its unit and default.
-$bin/vxtrack --schema | awk -F'\t' 'NR > 1 { printf ".It %s Ta %s Ta %s Ta %s\n", $1, $3, $5, $6 }' >"$tmp/rows"
+$bin/vxtrack --schema | awk -F'\t' 'NR > 1 { words = $4; gsub(/[|]/, ", ", words); print ".It " $1 " Ta " $3 " Ta " $5 " Ta " $6 ($2 == "word" ? " (" words ")" : "") }' >"$tmp/rows"
 grep '^\.It .* Ta ' man/track-input.5 | grep -v '^.It Sy' | cmp -s - "$tmp/rows"
 ok $? "track-input(5) has the rows of --schema"
 

@@ -96,7 +96,8 @@ says "is the synopsis" "vxvehicle [--set KEY=VALUE]... [--check] [-o FILE] INPUT
 is 0 "--schema" "$bin/vxvehicle" --schema
 says "names every key" "coupling.N.rotation_damping"
 # The table of the page is the schema's, but for the parts of a bogie, which are those of the vehicle.
-"$bin/vxvehicle" --schema | awk -F'\t' 'NR > 1 && $1 !~ /^bogie\.N\.[b-z]/ {print ".It " $1 " Ta " $3 " Ta " $5 " Ta " $6}' >"$tmp/schema"
+"$bin/vxvehicle" --schema | awk -F'\t' 'NR > 1 && $1 !~ /^bogie\.N\.[b-z]/ {
+    words = $4; gsub(/[|]/, ", ", words); print ".It " $1 " Ta " $3 " Ta " $5 " Ta " $6 ($2 == "word" ? " (" words ")" : "")}' >"$tmp/schema"
 sed -n '/^\.It Sy key/,/^\.El/{/^\.It Sy key/d; /^\.El/d; /^\.It bogie\.N\.body to /d; p}' man/vehicle-input.5 >"$tmp/page"
 is 0 "vehicle-input(5) has the keys of --schema" cmp "$tmp/page" "$tmp/schema"
 is 0 "--master" "$bin/vxvehicle" --master
