@@ -40,6 +40,13 @@ draws "the bowl under axles" 1600x900 sh -c 'vxfreq --static --load 9e4 --axles 
 draws "a receptance through a pipe" 800x450 sh -c 'vxplot --size 800x450 - <sleeper.frf'
 vxdump --csv sleeper.frf frequency receptance >measured.csv
 draws "a measurement and receptances" 1600x900 vxplot --figure fit measured.csv sleeper.frf midspan.frf
+vxplot --figure fit --label one --label two measured.csv sleeper.frf midspan.frf >curves.png
+ok $? "labels of the curves of a fit alone"
+# The end of the file holds pixels; the command that it keeps stands before them.
+pixels() { vxplot "$@" measured.csv sleeper.frf midspan.frf | tail -c 20000 | cksum; }
+is "$(pixels --figure fit --label one --label two)" "$(pixels --figure fit --label measured --label one --label two)" \
+    "are those after the one of the measurement"
+fails 2 "a label too many" vxplot --label one --label two sleeper.frf
 draws "modes of the track" 800x450 vxplot --size 800x450 track.mod track.trk
 draws "a vehicle in three views" 1600x900 vxplot wheelset.veh
 draws "a window of a coach" 800x450 vxplot --size 800x450 --figure vehicle --from -4 --to 2 coach.veh

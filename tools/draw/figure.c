@@ -48,7 +48,7 @@ static const char *make_fit(struct chart *c, int n, const struct figure_input *i
     const char *why = add_receptances(c, n - 1, in + 1, 0, &quantity);
 
     (void)o;
-    return why ? why : receptance_add_measured(c, in[0].table, quantity);
+    return why ? why : receptance_add_measured(c, in[0].table, quantity, in[0].label);
 }
 
 static const char *make_sections(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)

@@ -131,7 +131,7 @@ const char *receptance_add(struct chart *c, const struct frf *r, const char *lab
     return c->why;
 }
 
-const char *receptance_add_measured(struct chart *c, const struct columns *t, int quantity)
+const char *receptance_add_measured(struct chart *c, const struct columns *t, int quantity, const char *label)
 {
     double *y[2] = {chart_numbers(c, t->rows), chart_numbers(c, t->rows)};
 
@@ -142,7 +142,7 @@ const char *receptance_add_measured(struct chart *c, const struct columns *t, in
     for (int64_t i = 0; i < t->rows; i++)
         polar(quantity, t->value[1][i], t->value[2][i], &y[0][i], &y[1][i]);
     for (int k = 0; k < 2; k++) {
-        struct chart_series *s = chart_add_series(c, &c->panel[k], k ? NULL : "measured", t->rows, t->value[0], y[k]);
+        struct chart_series *s = chart_add_series(c, &c->panel[k], k ? NULL : label ? label : "measured", t->rows, t->value[0], y[k]);
         s->colour = CHART_BLACK;
         s->width = 0;
         s->mark = CANVAS_DISC;
