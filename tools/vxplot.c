@@ -140,6 +140,7 @@ static void parse_sleepers(struct runs_choice *r, int64_t number[CHART_PANELS])
             cli_misuse("--sleeper must be a whole number, not \"%s\"", opt.sleeper.item[k]);
     }
     if (opt.sleeper.n > 0) {
+        r->asked = 1;
         r->sleepers = opt.sleeper.n;
         r->sleeper = number;
     }
@@ -227,7 +228,7 @@ int main(int argc, char **argv)
         cli_misuse("--each is of --figure sequence, with -o");
     parse_size(&width, &height);
     struct figure_options options = {opt.from, opt.to, (double)width / height, opt.at, (int)opt.pairs, (int)opt.stations, opt.each - 1,
-                                     {opt.wheelset, 3, panels}};
+                                     {opt.wheelset, 3, panels, 0}};
     parse_sleepers(&options.runs, number);
     open_operands(&o);
     const struct figure *figure = figure_choose(opt.figure, o.n, o.in, &why);

@@ -109,7 +109,7 @@ static void add_coherence(struct chart *c, const struct frf *r, unsigned colour)
         struct chart_panel *p = chart_add_panel(c, "coherence", 1);
         p->y.lo = 0;
         p->y.hi = 1.05;
-        p->share = 0.6;
+        p->share = 1;
     }
     chart_add_series(c, &c->panel[2], NULL, r->n, r->frequency, r->coherence)->colour = colour;
 }

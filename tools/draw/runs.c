@@ -127,6 +127,19 @@ static int64_t find_sleeper(const struct run *r, int64_t number)
     return -1;
 }
 
+/* The numbers of the sleepers to show of a run, and how many. */
+static int sleepers_shown(const struct run *r, const struct runs_choice *choice, int64_t number[CHART_PANELS])
+{
+    int n = 0;
+
+    for (int k = 0; k < choice->sleepers; k++)
+        if (choice->asked || find_sleeper(r, choice->sleeper[k]) >= 0)
+            number[n++] = choice->sleeper[k];
+    if (n == 0 && r->sleepers > 0)
+        number[n++] = r->sleeper_number[r->sleepers / 2];
+    return n;
+}
+
 /* The line of one part out of `parts`: with several runs in a chart colours tell them apart, and dashes the parts. */
 static void add_part(struct chart *c, struct chart_panel *panel, const char *label, const char *part, enum canvas_dash dash,
                      int parts, int64_t n, const double *x, const double *y)
@@ -143,17 +156,23 @@ static void add_part(struct chart *c, struct chart_panel *panel, const char *lab
 static const char *at_sleepers(struct chart *c, const struct run *r, const char *label, const struct runs_choice *choice,
                                enum run_channel ch, const char *const *part, const enum canvas_dash *dash, int parts)
 {
+    int64_t number[CHART_PANELS];
+    const int shown = sleepers_shown(r, choice, number);
+
     if (c->panels == 0) {
         c->alike = 1;
         c->x.label = "station of the front wheelset (m)";
-        for (int k = 0; k < choice->sleepers; k++)
-            chart_add_panel(c, chart_words(c, "sleeper %lld (kN)", (long long)choice->sleeper[k]), 1e-3);
+        for (int k = 0; k < shown; k++)
+            chart_add_panel(c, chart_words(c, "sleeper %lld (kN)", (long long)number[k]), 1e-3);
     }
+    if (c->panels != shown)
+        return "the runs do not have the same sleepers: --sleeper names some";
     double *x = stations(c, r, 0);
-    for (int k = 0; x && k < choice->sleepers; k++) {
-        int64_t sleeper = find_sleeper(r, choice->sleeper[k]);
+    for (int k = 0; x && k < shown; k++) {
+        int64_t sleeper = find_sleeper(r, number[k]);
         if (sleeper < 0)
-            return reason("no sleeper has number %lld", (long long)choice->sleeper[k]);
+            return reason("no sleeper has number %lld: they are %lld to %lld", (long long)number[k], (long long)r->sleeper_number[0],
+                          (long long)r->sleeper_number[r->sleepers - 1]);
         for (int p = 0; p < parts; p++) {
             double *force = channel(c, r, ch, p * r->sleepers + sleeper);
             if (force)
@@ -185,6 +204,7 @@ static const char *along(struct chart *c, const struct run *r, const char *label
         return reason("the run holds no %s: it is not complete", run_extremes[what].name);
     if (c->panels == 0) {
         c->x.label = "sleeper number";
+        c->x.whole = 1;
         chart_add_panel(c, name, 1e-3);
     }
     for (int64_t k = 0; number && k < r->sleepers; k++)

@@ -12,6 +12,7 @@ struct runs_choice {
     int64_t wheelset;                /* from 1 */
     int sleepers;
     const int64_t *sleeper;          /* [sleepers] numbers, a panel each */
+    int asked;                       /* by the user; else those that a run does not have are left out, and one is shown at least */
 };
 
 /* Adds run r to c, which the first call of a chart gives its axes. */
