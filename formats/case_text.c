@@ -1,5 +1,7 @@
 #include "formats/case_text.h"
 
+#include "formats/reason.h"
+
 #define AT(member) offsetof(struct case_text, member)
 
 static const char *const routes[] = {"through", "diverging", NULL};
@@ -174,3 +176,13 @@ const struct yaml_schema case_text_schema = {
         {"probe", YAML_LIST, AT(probe), 0, 0, "", "[]", "what a prescribed force moves; none: the place of the force", &probe_schema, NULL},
         {0},
     }};
+
+const char *case_text_check(const struct case_text *c)
+{
+    const struct case_friction *f = c->friction_on.item;
+
+    for (int64_t i = 0; i < c->friction_on.n; i++)
+        if (f[i].from > f[i].to)
+            return reason("friction_on.%lld.from: %g m lies beyond to, %g m", (long long)i + 1, f[i].from, f[i].to);
+    return NULL;
+}

@@ -95,4 +95,7 @@ struct case_text {
 
 extern const struct yaml_schema case_text_schema;
 
+/* What the keys of a case owe each other, beside what its track and train ask. */
+const char *case_text_check(const struct case_text *c);
+
 #endif

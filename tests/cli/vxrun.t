@@ -169,6 +169,7 @@ flawed "fewer than two lines" "one line" 'station (m), gauge (m)\n1, 2\n'
 refuses 1 "irregularity: reaches from 1 to 2 m, but" "an irregularity that is too short" --set irregularity.file=short.csv "$plain"
 refuses 1 "none.csv: No such file" "an irregularity that is not there" --set irregularity.file=none.csv "$plain"
 refuses 1 "file and spectrum exclude each other" "irregularity twice" --set irregularity.file=level.csv --set irregularity.spectrum=erri-low "$plain"
+refuses 1 "error: friction_on.1.from: 20 m lies beyond to, 10 m" "friction on nothing" --set 'friction_on=[{friction: 0.1, from: 20, to: 10}]' "$plain"
 refuses 1 "shortest, 80 m, must be below longest" "wavelengths the wrong way" --set irregularity.spectrum=erri-low --set irregularity.shortest=80 "$plain"
 refuses 1 "wheel_flat.1.wheelset is 9, but the vehicle has" "a flat on no wheelset" --set 'wheel_flat=[{wheelset: 9, length: 0.05}]' "$plain"
 refuses 1 "--save-state: 20 m is not on the way from -30 to -29 m" "a state beyond the end" --save-state 20 "$plain"

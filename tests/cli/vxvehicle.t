@@ -182,7 +182,7 @@ tried "a damper that gives way" "damper: [{name: d, from: wheelset, to: frame, a
     "does not rise"
 tried "a spring across with a load" "spring: [{name: s, from: wheelset, to: frame, at: [0, 0, 0.46], axis: y, table: [[0, 10], [1, 1e3]]}]" "needs a row 0, 0"
 tried "friction without a load" "friction: [{name: f, from: wheelset, to: frame, at: [0, 0, 0.46], coefficient: 1, stiffness: [1, 0, 0]}]" "needs a load or a spring"
-tried "two couplings of one name" "stop: [{name: primary-r, from: wheelset, to: frame, at: [0, 0, 0.46], axis: y, table: [[0, 0], [1, 1]]}]" "two are named primary-r"
+tried "two couplings of one name" "stop: [{name: primary-r, from: wheelset, to: frame, at: [0, 0, 0.46], axis: y, table: [[0, 0], [1, 1]]}]" "bad.yaml:8: error: coupling primary-r: two are named primary-r"
 tried "an anchor" "stop: &a []" "bad.yaml:9:"
 
 # A ring of couplings is a vehicle: three rods from frame to wheelset close it many times.

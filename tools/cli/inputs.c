@@ -100,6 +100,8 @@ void inputs_read(struct inputs *in, const char *path, const struct inputs_option
 
     if ((why = yaml_read(path, &case_text_schema, opt->set.item, opt->set.n, &in->text, &in->hash)))
         cli_die("%s", why); /* begins with its place */
+    if ((why = case_text_check(c)))
+        cli_die("%s", yaml_blame(path, &case_text_schema, opt->set.item, opt->set.n, why));
     if (strlen(c->name) >= sizeof ((struct run *)NULL)->name)
         cli_die("%s: name: longer than %zu letters", path, sizeof ((struct run *)NULL)->name - 1);
     in->files = c->force.amplitude > 0 ? INPUT_TRACK + 1 : INPUT_RIGHT + 1;
