@@ -18,16 +18,17 @@ compare()
 {
     vxdump --csv "$1" frequency "${3:-receptance}" | sed 1d >"$dir/a.csv"
     vxdump --csv "$2" frequency "${3:-receptance}" | sed 1d >"$dir/b.csv"
-    paste -d, "$dir/a.csv" "$dir/b.csv" | awk -F, '
+    awk -F, '
         function keep(k) {if (e > most[k]) most[k] = e}
-        $1 >= 30 && $1 <= 1500 {
+        NR == FNR {re[$1] = $2; im[$1] = $3; next}
+        $1 >= 30 && $1 <= 1500 && $1 in re {
             n++
-            e = 100*sqrt(($2 - $5)^2 + ($3 - $6)^2)/sqrt($5^2 + $6^2)
+            e = 100*sqrt((re[$1] - $2)^2 + (im[$1] - $3)^2)/sqrt($2^2 + $3^2)
             keep(1)
             if ($1 < 880 || $1 > 935) keep(2)
             if ($1 <= 800) keep(3)
         }
-        END {if (n == 1471) print most[1], most[2], most[3]}'
+        END {if (n == 1471) print most[1], most[2], most[3]}' "$dir/a.csv" "$dir/b.csv"
 }
 
 hammer sleeper --set force.blows=1
