@@ -84,7 +84,8 @@ $(BUILD)/tests/fault/%: $(BUILD)/tests/fault/%.o $(BUILD)/libvx.a
 
 -include $(patsubst %.o,%.d,$(ARCHIVED)) $(PROGRAMS:$(BUILD)/bin/%=$(BUILD)/tools/%.d) $(wildcard $(BUILD)/tests/*/*.d)
 
-# The kernels of the time step, of the contact search and of the rounding of heads.
+# The kernels of the time step, of the contact search and of the rounding of heads; what reads every number of a table.
+$(BUILD)/formats/vxf.o $(BUILD)/formats/ctab.o: HOT = -O3
 $(BUILD)/tools/integrate/%.o $(BUILD)/tools/creep/%.o $(BUILD)/tools/contact/%.o $(BUILD)/tools/vehicle/couplings.o $(BUILD)/tools/vehicle/law.o $(BUILD)/tools/profile/opening.o: HOT = -O3
 
 deps: $(DEPS)               ## install the Debian packages that are missing
@@ -129,7 +130,9 @@ help:                       ## this list
 
 include pipelines/demo.mk
 include pipelines/yaw.mk
+include pipelines/accuracy.mk
 include pipelines/following.mk
+include pipelines/moving.mk
 include pipelines/track.mk
 include pipelines/vehicles.mk
 include tests/bench/bench.mk

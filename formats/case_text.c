@@ -1,9 +1,11 @@
 #include "formats/case_text.h"
 
+#include "formats/reason.h"
+
 #define AT(member) offsetof(struct case_text, member)
 
 static const char *const routes[] = {"through", "diverging", NULL};
-static const char *const directions[] = {"facing", NULL};
+static const char *const directions[] = {"facing", "trailing", NULL};
 static const char *const schemes[] = {"explicit", "implicit", "auto", NULL};
 static const char *const shapes[] = {"fresh", "worn", NULL};
 static const char *const spectra[] = {"none", "erri-low", "erri-high", NULL};
@@ -11,6 +13,7 @@ static const char *const rails[] = {"left", "right", "both", NULL};
 static const char *const kinds[] = {"impulse", "sweep", "noise", NULL};
 static const char *const places[] = {"left", "right", "sleeper", NULL};
 static const char *const filters[] = {"none", "lowpass", NULL};
+static const char *const train_schemes[] = {"explicit", "implicit", NULL};
 static const char *const laws[] = {"hertz", "linear", NULL};
 static const char *const sides[] = {"both", "left", "right", NULL};
 
@@ -149,7 +152,8 @@ const struct yaml_schema case_text_schema = {
         FILE_FIELD(creep, ".creep file of creep forces; absent: FASTSIM"),
         {"speed_kmh", YAML_NUM, AT(speed), 1, 500, "km/h", YAML_ABSENT, "speed, the one key that is not SI; a vehicle needs it", NULL, NULL},
         {"route", YAML_CHOICE, AT(route), 0, 0, "", "through", "which route track and sections describe", NULL, routes},
-        {"direction", YAML_CHOICE, AT(direction), 0, 0, "", "facing", "facing: with increasing station", NULL, directions},
+        {"direction", YAML_CHOICE, AT(direction), 0, 0, "", "facing",
+         "facing: with increasing station, start below end; trailing: back, start above end", NULL, directions},
         {"friction", YAML_NUM, AT(friction), 0.01, 1, "1", "0.30", "coefficient of friction", NULL, NULL},
         {"falling", YAML_MAP, AT(falling), 0, 0, "", "{}", "friction that falls with slip", &falling_schema, NULL},
         {"friction_on", YAML_LIST, AT(friction_on), 0, 0, "", "[]", "contacts with a friction of their own", &friction_schema, NULL},
@@ -158,6 +162,7 @@ const struct yaml_schema case_text_schema = {
         {"end", YAML_NUM, AT(end), -YAML_NO_LIMIT, YAML_NO_LIMIT, "m", "60", "and at the end", NULL, NULL},
         {"step", YAML_NUM, AT(step), 1e-7, 1e-3, "s", "1e-4", "time step", NULL, NULL},
         {"scheme", YAML_CHOICE, AT(scheme), 0, 0, "", "auto", "of the track: explicit where that holds, or implicit", NULL, schemes},
+        {"train_scheme", YAML_CHOICE, AT(train_scheme), 0, 0, "", "explicit", "of the train; implicit wants an implicit track", NULL, train_schemes},
         {"contact", YAML_MAP, AT(contact), 0, 0, "", "{}", "wheel on rail", &contact_schema, NULL},
         {"sampling", YAML_NUM, AT(sampling), 1, 1e7, "Hz", "1000",
          "records a second; 1/step or more is every step", NULL, NULL},
@@ -171,3 +176,13 @@ const struct yaml_schema case_text_schema = {
         {"probe", YAML_LIST, AT(probe), 0, 0, "", "[]", "what a prescribed force moves; none: the place of the force", &probe_schema, NULL},
         {0},
     }};
+
+const char *case_text_check(const struct case_text *c)
+{
+    const struct case_friction *f = c->friction_on.item;
+
+    for (int64_t i = 0; i < c->friction_on.n; i++)
+        if (f[i].from > f[i].to)
+            return reason("friction_on.%lld.from: %g m lies beyond to, %g m", (long long)i + 1, f[i].from, f[i].to);
+    return NULL;
+}

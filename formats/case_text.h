@@ -6,6 +6,7 @@
 #include "formats/yaml.h"
 
 enum case_route { CASE_THROUGH, CASE_DIVERGING };
+enum case_direction { CASE_FACING, CASE_TRAILING };
 enum case_scheme { CASE_EXPLICIT, CASE_IMPLICIT, CASE_AUTO };
 enum case_law { CASE_HERTZ, CASE_LINEAR };
 enum case_side { CASE_BOTH, CASE_LEFT, CASE_RIGHT };
@@ -63,13 +64,14 @@ struct case_text {
     char *contact_left, *contact_right;
     char *creep;                             /* .creep file; NULL: FASTSIM */
     double speed;                            /* km/h: the one input that is not SI; 0 where not given */
-    int route, direction;                    /* enum case_route; facing is the only direction */
+    int route, direction;                    /* enum case_route, case_direction */
     double friction;                         /* 1 */
     struct { double limit, decay; } falling; /* 1, s/m: friction times (1 - limit) exp(-decay w) + limit, w the slip's velocity */
     struct yaml_list friction_on;            /* of struct case_friction */
     double start, end;                       /* m, stations of the front wheelset */
     double step;                             /* s */
     int scheme;                              /* enum case_scheme */
+    int train_scheme;                        /* 0 explicit, 1 implicit */
     struct {
         int law;                             /* enum case_law */
         double stiffness, damping, series;   /* N/m, N s/m, N/m: of the linear law */
@@ -92,5 +94,8 @@ struct case_text {
 };
 
 extern const struct yaml_schema case_text_schema;
+
+/* What the keys of a case owe each other, beside what its track and train ask. */
+const char *case_text_check(const struct case_text *c);
 
 #endif

@@ -35,29 +35,45 @@ static const char *header_read(struct columns *t, const char *line)
 {
     const char *part = strchr(line, ',') ? ",\r\n" : between, *why = NULL;
 
+    if (strspn(line, "0123456789+-.eE \t,;\r\n") == strlen(line))
+        return "a header must name the columns before the first numbers";
     for (const char *p = line + strspn(line, between); *p && !why; p += strspn(p, between)) {
         size_t length = strcspn(p, part);
         why = heading_read(t, p, length);
         p += length;
     }
-    return why ? why : t->n < 2 ? "the header must name two columns or more" : NULL;
+    return why ? why : t->n < 2 ? "the header must name two columns or more, between blanks, tabs or commas" : NULL;
 }
 
-static const char *row_read(struct columns *t, int64_t *room, const char *line)
+static const char *rows_grow(struct columns *t, int64_t *room)
 {
-    if (t->rows == *room) {
-        int64_t larger = *room ? 2 * *room : 1024;
-        for (int k = 0; k < t->n; k++) {
-            double *more = realloc(t->value[k], (size_t)larger * sizeof *more);
-            if (!more)
-                return REASON_MEMORY;
-            t->value[k] = more;
-        }
-        *room = larger;
+    const int64_t larger = *room ? 2 * *room : 1024;
+    int64_t *lines = realloc(t->line, (size_t)larger * sizeof *lines);
+
+    if (!lines)
+        return REASON_MEMORY;
+    t->line = lines;
+    for (int k = 0; k < t->n; k++) {
+        double *more = realloc(t->value[k], (size_t)larger * sizeof *more);
+        if (!more)
+            return REASON_MEMORY;
+        t->value[k] = more;
     }
+    *room = larger;
+    return NULL;
+}
+
+static const char *row_read(struct columns *t, int64_t *room, const char *line, int64_t number)
+{
+    const char *why = t->rows == *room ? rows_grow(t, room) : NULL;
+
+    if (why)
+        return why;
     for (int k = 0; k < t->n; k++) {
         char *end;
         line += strspn(line, between);
+        if (!*line)
+            return reason("column %d, %s, is missing", k + 1, t->name[k]);
         double v = strtod(line, &end);
         if (end == line || !strchr(between, *end) || !isfinite(v))
             return reason("column %d: \"%.*s\" is not a number", k + 1, (int)strcspn(line, between), line);
@@ -66,7 +82,7 @@ static const char *row_read(struct columns *t, int64_t *room, const char *line)
     }
     if (line[strspn(line, between)])
         return reason("more than %d numbers", t->n);
-    t->rows++;
+    t->line[t->rows++] = number;
     return NULL;
 }
 
@@ -80,7 +96,7 @@ static const char *file_read(struct columns *t, FILE *file)
     for (long number = 1; !why && getline(&line, &size, file) >= 0; number++) {
         if (line[0] == '#' || !line[strspn(line, between)])
             continue;
-        why = t->n == 0 ? header_read(t, line) : row_read(t, &room, line);
+        why = t->n == 0 ? header_read(t, line) : row_read(t, &room, line, number);
         if (why)
             why = reason("line %ld: %s", number, why);
     }
@@ -108,6 +124,7 @@ void columns_free(struct columns *t)
 {
     for (int k = 0; k < t->n; k++)
         free(t->value[k]);
+    free(t->line);
     *t = (struct columns){0};
 }
 

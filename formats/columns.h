@@ -20,6 +20,7 @@ struct columns {
     char name[COLUMNS_MOST][COLUMNS_NAME];   /* [n] without the unit */
     char unit[COLUMNS_MOST][COLUMNS_NAME];   /* [n] of "name[unit]" or "name (unit)", else empty */
     double *value[COLUMNS_MOST];             /* [n][rows] */
+    int64_t *line;                           /* [rows] in the text, from 1 */
 };
 
 /* path "-" is standard input.  Lines that begin with # are comments. */

@@ -100,11 +100,25 @@ static int64_t nodes(const struct ctab *t)
     return t->stations * t->yaws * t->us;
 }
 
+/* Whether any of n nodes from first[0] on has fewer rows than least, or more than most. */
+static int counts_beyond(const int32_t *first, int64_t n, int32_t least, int32_t most)
+{
+    int beyond = 0;
+
+    for (int64_t i = 0; i < n; i++)
+        beyond |= (first[i + 1] < first[i] + least) | (first[i + 1] > first[i] + most);
+    return beyond;
+}
+
 static const char *check_first(const struct ctab *t)
 {
-    for (int64_t i = 0; i < nodes(t); i++)
-        if (t->first[i + 1] < t->first[i] || t->first[i + 1] > t->first[i] + CTAB_MOST)
-            return reason("array first: node %lld has %d rows, must be 0 to %d", (long long)i, t->first[i + 1] - t->first[i], CTAB_MOST);
+    int64_t i = 0;
+
+    if (counts_beyond(t->first, nodes(t), 0, CTAB_MOST)) {
+        while (!counts_beyond(t->first + i, 1, 0, CTAB_MOST))
+            i++;
+        return reason("array first: node %lld has %d rows, must be 0 to %d", (long long)i, t->first[i + 1] - t->first[i], CTAB_MOST);
+    }
     if (t->first[0] != 0 || t->first[nodes(t)] != t->rows)
         return reason("array first: runs from %d to %d, must be 0 to %lld", t->first[0], t->first[nodes(t)], (long long)t->rows);
     return NULL;
@@ -121,28 +135,59 @@ static void branch_needs(const struct ctab *t, int32_t cell, uint8_t need[CTAB_C
             need[k] = b[k] > need[k] ? b[k] : need[k];
 }
 
-/* Cells of u at one station and yaw; in[k]: the table goes on to corner k but for its u. */
-static const char *check_cells(const struct ctab *t, int64_t is, int64_t iy)
+static int32_t smallest_count(const int32_t *first, int64_t n)
 {
-    const int64_t node = (is * t->yaws + iy) * t->us, next[4] = {0, t->us, t->yaws * t->us, (t->yaws + 1) * t->us};
-    const int in[4] = {1, iy + 1 < t->yaws, is + 1 < t->stations, iy + 1 < t->yaws && is + 1 < t->stations};
-    uint8_t need[CTAB_CORNERS] = {0};
-    int32_t last = -1;
+    int32_t least = CTAB_MOST;
 
-    for (int64_t iu = 0; iu < t->us; iu++) {
-        int32_t cell = t->cell[node + iu];
-        if (cell < 0 || cell >= t->branches)
-            return reason("array cell: cell %lld begins with branch %d of %lld", (long long)(node + iu), cell, (long long)t->branches);
-        if (cell != last)
-            branch_needs(t, cell, need);
-        last = cell;
-        for (int k = 0; k < CTAB_CORNERS; k++) {
-            const int32_t *first = t->first + node + iu + next[k >> 1] + (k & 1);
-            if (need[k] && (!in[k >> 1] || iu + (k & 1) == t->us || need[k] > first[1] - first[0]))
-                return reason("array branch: cell %lld needs %d rows of its corner %d", (long long)(node + iu), need[k], k);
-        }
+    for (int64_t i = 0; i < n; i++)
+        least = first[i + 1] - first[i] < least ? first[i + 1] - first[i] : least;
+    return least;
+}
+
+/* Along u at one station and yaw and at the next ones, by the bits of a corner: 1 yaw, 2 station. */
+struct rows_around {
+    int in[4];                  /* the table goes on to there */
+    int64_t next[4];            /* nodes from the one to the other */
+    int32_t least[4];           /* rows of the node that has fewest */
+};
+
+/* Cells from node `from` to before `to`, which have the same branches; the row of nodes ends before `end`. */
+static const char *check_alike(const struct ctab *t, const struct rows_around *a, int64_t from, int64_t to, int64_t end)
+{
+    uint8_t need[CTAB_CORNERS];
+
+    branch_needs(t, t->cell[from], need);
+    for (int k = 0; k < CTAB_CORNERS; k++) {
+        const int64_t n = a->in[k >> 1] ? (to < end ? to : end - (k & 1)) - from : 0;     /* of them have this corner */
+        const int32_t *first = t->first + from + a->next[k >> 1] + (k & 1);
+        int64_t i = 0;
+        if (!need[k] || (n == to - from && (need[k] <= a->least[k >> 1] || !counts_beyond(first, n, need[k], CTAB_MOST))))
+            continue;
+        while (i < n && !counts_beyond(first + i, 1, need[k], CTAB_MOST))
+            i++;
+        return reason("array branch: cell %lld needs %d rows of its corner %d", (long long)(from + i), need[k], k);
     }
     return NULL;
+}
+
+/* Cells of u at one station and yaw. */
+static const char *check_cells(const struct ctab *t, int64_t is, int64_t iy)
+{
+    const int64_t begin = (is * t->yaws + iy) * t->us, end = begin + t->us;
+    const int on = iy + 1 < t->yaws, ahead = is + 1 < t->stations;
+    struct rows_around a = {.in = {1, on, ahead, on && ahead}, .next = {0, t->us, t->yaws * t->us, (t->yaws + 1) * t->us}};
+    const char *why = NULL;
+
+    for (int k = 0; k < 4; k++)
+        a.least[k] = a.in[k] ? smallest_count(t->first + begin + a.next[k], t->us) : 0;
+    for (int64_t from = begin, to; from < end && !why; from = to) {
+        if (t->cell[from] < 0 || t->cell[from] >= t->branches)
+            return reason("array cell: cell %lld begins with branch %d of %lld", (long long)from, t->cell[from], (long long)t->branches);
+        for (to = from + 1; to < end && t->cell[to] == t->cell[from]; to++)
+            ;
+        why = check_alike(t, &a, from, to, end);
+    }
+    return why;
 }
 
 static const char *check_all_cells(const struct ctab *t)

@@ -69,6 +69,7 @@ struct ctab {
     const int32_t *cell;        /* [stations][yaws][us] first branch of the cell from this node on */
     const uint8_t *branch;      /* [branches][CTAB_CORNERS] 1 + which row of each corner, 0 none; all zeros end a cell's branches */
     int64_t branches;
+    const struct ctab *turned;  /* NULL, or the table this is, seen by who runs the track the other way: contact_turn */
     void *store;                /* room.h, and the rows: what ctab_free releases; NULL where the arrays belong to a file */
     float *row_store, *rest_store;
     uint8_t *body_store;

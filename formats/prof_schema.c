@@ -118,7 +118,7 @@ const struct yaml_schema prof_text_schema = {"profile", sizeof(struct prof_text)
      NULL},
     {"points", YAML_PAIRS, offsetof(struct prof_text, points), ANY, "unit", YAML_ABSENT, "[y, z] along the shape", NULL, NULL},
     {"symmetric", YAML_BOOL, offsetof(struct prof_text, symmetric), ANY, "", "false", "zones are given for y >= 0 only", NULL, NULL},
-    {"section", YAML_INT, offsetof(struct prof_text, section), 1, 10000, "", YAML_ABSENT, "of a .mpt that holds several", NULL, NULL},
+    {"section", YAML_INT, offsetof(struct prof_text, section), 1, 10000, "1", YAML_ABSENT, "of a .mpt that holds several", NULL, NULL},
     {"file_side", YAML_CHOICE, offsetof(struct prof_text, file_side), ANY, "", "unstated", "which of the two sides of a .rai or .whe",
      NULL, file_sides},
     {"mirror_y", YAML_CHOICE, offsetof(struct prof_text, mirror_y), ANY, "", "unstated", "the shape has y towards the track's centre",

@@ -37,7 +37,8 @@ const struct run_channel_info run_channels[RUN_CHANNELS] = {
     [RUN_BODY_Q] = {"body.q", "m,rad", RUN_BODIES, VXF_F64, PER_BODY, "displacement from rest in the body's own frame, x y z roll pitch yaw"},
     [RUN_BODY_V] = {"body.v", "m/s,rad/s", RUN_BODIES, VXF_F64, PER_BODY, "its rate; of a wheelset's pitch: spin beyond -v/r0"},
     [RUN_BODY_A] = {"body.a", "m/s2,rad/s2", RUN_BODIES, VXF_F64, PER_BODY, "as felt: in space, in axes rolled by the cant, gravity as on level track"},
-    [RUN_BODY_OFFSET] = {"body.offset", "m", RUN_BODIES, VXF_F64, {RUN_PER_BODY}, "the frame's origin right of the tangent at the alignment's beginning"},
+    [RUN_BODY_OFFSET] = {"body.offset", "m", RUN_BODIES, VXF_F64, {RUN_PER_BODY},
+                         "the frame's origin right of the tangent where the alignment begins, or 1 m behind the rear of the train at the start"},
     [RUN_BODY_HEADING] = {"body.heading", "rad", RUN_BODIES, VXF_F64, {RUN_PER_BODY}, "heading of the frame against that tangent"},
     [RUN_PAD] = {"pad.F", "N", RUN_PADS, VXF_F32, PER_PAD, "force of the railpad on the sleeper, dead weight included"},
     [RUN_BALLAST_F] = {"ballast.F", "N", RUN_BALLAST, VXF_F32, PER_SPRING, "force on the ballast left, middle, right, dead weight included"},
@@ -174,6 +175,7 @@ void run_put(const struct run *r, const int *recorded, struct vxf_out *o)
     vxf_put_key(o, "NAME", "%s", r->name);
     vxf_put_key(o, "ROUTE", "%s", r->route);
     vxf_put_key(o, "FILTER", "%s", *r->filter ? r->filter : "none");
+    vxf_put_key(o, "DIRECTION", "%s", *r->direction ? r->direction : "facing");
     vxf_put_key(o, "SPEED", "%.17g", r->speed);
     vxf_put_key(o, "STEP", "%.17g", r->step);
     vxf_put_key(o, "FRICTION", "%.17g", r->friction);
@@ -200,6 +202,7 @@ static const char *read_keys(struct run *r, const struct vxf *f)
 
     if ((why = vxf_key(f, "NAME", r->name, sizeof r->name)) || (why = vxf_key(f, "ROUTE", r->route, sizeof r->route)) ||
         (why = vxf_key(f, "FILTER", r->filter, sizeof r->filter)) ||
+        (why = vxf_key(f, "DIRECTION", r->direction, sizeof r->direction)) ||
         (why = vxf_number(f, "SPEED", &r->speed)) || (why = vxf_number(f, "STEP", &r->step)) ||
         (why = vxf_number(f, "FRICTION", &r->friction)) || (why = vxf_number(f, "GRAVITY", &r->gravity)) ||
         (why = vxf_number(f, "RAIL_SPACING", &r->rail_spacing)))

@@ -47,6 +47,7 @@ extern const struct run_channel_info run_extremes[RUN_EXTREMES];
 struct run {
     char name[64];
     char route[16];                    /* through or diverging */
+    char direction[16];                /* facing or trailing */
     char filter[128];                  /* of the samples: none, or what it is */
     double speed;                      /* m/s */
     double step;                       /* s */

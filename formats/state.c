@@ -29,6 +29,8 @@ static const char *get_keys(struct state *s, const struct vxf *f)
     const char *why = vxf_key(f, "SCHEME", s->scheme, sizeof s->scheme);
 
     if (!why)
+        why = vxf_key(f, "DIRECTION", s->direction, sizeof s->direction);
+    if (!why)
         why = vxf_key(f, "FAILED", s->failed, sizeof s->failed);
     for (size_t k = 0; k < sizeof number / sizeof *number && !why; k++)
         why = vxf_number(f, number[k].key, number[k].x);
@@ -74,6 +76,7 @@ static void put_track(const struct vxf *track, struct vxf_out *o)
 void state_put(const struct state *s, int n, const struct state_part *part, struct vxf_out *o)
 {
     vxf_put_key(o, "SCHEME", "%s", s->scheme);
+    vxf_put_key(o, "DIRECTION", "%s", s->direction);
     vxf_put_key(o, "FAILED", "%s", s->failed);
     vxf_put_key(o, "SPEED", "%.17g", s->speed);
     vxf_put_key(o, "STEP", "%.17g", s->step);

@@ -17,6 +17,7 @@ struct state_part {
 
 struct state {
     char scheme[16];               /* explicit or implicit */
+    char direction[16];            /* facing or trailing */
     char failed[256];              /* why the run ended there; empty where it went on */
     double speed, step;            /* m/s, s */
     double start, station;         /* m, of the front wheelset: where the run began, where it is */

@@ -65,7 +65,7 @@ struct trk {
                                           each by itself, against the sleeper; k = 0: rails and sleeper as one, against the ground */
     const double *running_m;           /* kg [1] of each rail of a moving mass under a wheel; 0: none, its pad in series with the contact */
     const int64_t *check_rail;         /* [1] side of the check rail, TRK_LEFT or TRK_RIGHT */
-    const double *check_k, *check_c;   /* N/m, N s/m [1] lateral, against the ground */
+    const double *check_k, *check_c;   /* N/m, N s/m [1] lateral, against the ground, or the beam that it is */
     const double *check_x;             /* m [checks] stations, increasing; there is no check rail beyond the ends */
     const double *check_play;          /* m [checks] free play of the back of the flange, wheelset centred; straight between */
     const double *curve_x;             /* m [curves] station from which the curvature holds, to the next or the end */
@@ -117,6 +117,12 @@ static inline int trk_is_spatial(const struct trk *t)
 static inline int64_t trk_rail_dof(const struct trk *t, int rail, int64_t node)
 {
     return t->node_dof[node] + t->rail_dofs * rail;
+}
+
+/* m, from the centre of a sleeper to its railpad under a rail, positive to the right. */
+static inline double trk_pad_arm(const struct trk *t, int rail, int64_t sleeper)
+{
+    return (rail == TRK_LEFT ? -0.5 : 0.5) * t->rail_spacing - t->sleeper_y[sleeper];
 }
 
 const char *trk_read(struct trk *t, const struct vxf *f);

@@ -6,6 +6,7 @@
 
 #include "formats/reason.h"
 #include "formats/trk.h"
+#include "formats/trk_text_tables.h"
 
 static const char *check_curve(const struct yaml_list *curve)
 {
@@ -40,6 +41,10 @@ static const char *check_ranges(const char *list, int64_t number, const struct y
         if (floor(first) < first || floor(last) < last || last < first)
             return reason("%s.%lld.sleepers: [%g, %g] must be two whole numbers, the first not above the last", list, (long long)number,
                           first, last);
+        for (int64_t j = 0; j < i; j += 2)
+            if (first <= sleepers->x[j + 1] && last >= sleepers->x[j])
+                return reason("%s.%lld.sleepers: [%g, %g] and [%g, %g] have sleepers in common", list, (long long)number, sleepers->x[j],
+                              sleepers->x[j + 1], first, last);
     }
     return NULL;
 }
@@ -69,12 +74,12 @@ static int given(const struct yaml_table *both, const struct yaml_table *left, c
 static const char *check_rail(const struct trk_text_rail *r)
 {
     if (r->mass_model == TRK_TEXT_LUMPED && !given(&r->pitch_inertia, &r->left.pitch_inertia, &r->right.pitch_inertia))
-        return "rail.pitch_inertia: a lumped rail needs it, the pitch inertia of a node in kg m2";
+        return "rail.pitch_inertia: a lumped rail needs it, the pitch inertia of a node in kg.m2";
     if (r->beam == TRK_TEXT_TIMOSHENKO && !given(&r->shear_stiffness, &r->left.shear_stiffness, &r->right.shear_stiffness))
         return "rail.shear_stiffness: a timoshenko rail needs it, kappa G A in N";
     if (r->beam == TRK_TEXT_TIMOSHENKO && r->mass_model == TRK_TEXT_CONSISTENT &&
         !given(&r->rotary_inertia, &r->left.rotary_inertia, &r->right.rotary_inertia))
-        return "rail.rotary_inertia: a timoshenko rail with consistent mass needs it, rho I in kg m";
+        return "rail.rotary_inertia: a timoshenko rail with consistent mass needs it, rho I in kg.m";
     return NULL;
 }
 
@@ -94,23 +99,23 @@ static const char *check_spatial(const struct trk_text *in)
     const struct trk_text_rail *r = &in->rail;
     const int lumped = r->mass_model == TRK_TEXT_LUMPED, timoshenko = r->beam == TRK_TEXT_TIMOSHENKO;
     const struct { const char *key, *what; int given; } needs[] = {
-        {"rail.lateral_bending_stiffness", "lateral EI in N m2", r->lateral_bending_stiffness.n > 0},
-        {"rail.yaw_inertia", "with lumped mass the yaw inertia of a node in kg m2", r->yaw_inertia > 0 || !lumped},
+        {"rail.lateral_bending_stiffness", "lateral EI in N.m2", r->lateral_bending_stiffness.n > 0},
+        {"rail.yaw_inertia", "with lumped mass the yaw inertia of a node in kg.m2", r->yaw_inertia > 0 || !lumped},
         {"rail.lateral_shear_stiffness", "with timoshenko kappa G A sideways in N", r->lateral_shear_stiffness > 0 || !timoshenko},
-        {"rail.lateral_rotary_inertia", "with timoshenko and consistent mass rho I in kg m",
+        {"rail.lateral_rotary_inertia", "with timoshenko and consistent mass rho I in kg.m",
          r->lateral_rotary_inertia > 0 || !timoshenko || lumped},
-        {"rail.torsional_stiffness", "GJ in N m2", r->torsional_stiffness > 0},
-        {"rail.polar_inertia", "rho Ip in kg m", r->polar_inertia > 0},
+        {"rail.torsional_stiffness", "GJ in N.m2", r->torsional_stiffness > 0},
+        {"rail.polar_inertia", "rho Ip in kg.m", r->polar_inertia > 0},
         {"rail.head_height", "in m", r->head_height > 0},
         {"rail.foot_depth", "in m", r->foot_depth > 0},
-        {"sleeper.yaw_inertia", "in kg m2", in->sleeper.yaw_inertia.n > 0},
+        {"sleeper.yaw_inertia", "in kg.m2", in->sleeper.yaw_inertia.n > 0},
         {"railpad.lateral_stiffness", "in N/m", in->railpad.lateral_stiffness.n > 0},
-        {"railpad.lateral_damping", "in N s/m", in->railpad.lateral_damping.n > 0},
+        {"railpad.lateral_damping", "in N.s/m", in->railpad.lateral_damping.n > 0},
         {"railpad.width", "in m", in->railpad.width > 0},
         {"ballast.lateral_stiffness", "in N/m", in->ballast.lateral_stiffness.n > 0},
-        {"ballast.lateral_damping", "in N s/m", in->ballast.lateral_damping.n > 0},
+        {"ballast.lateral_damping", "in N.s/m", in->ballast.lateral_damping.n > 0},
         {"ballast.longitudinal_stiffness", "in N/m", in->ballast.longitudinal_stiffness.n > 0},
-        {"ballast.longitudinal_damping", "in N s/m", in->ballast.longitudinal_damping.n > 0},
+        {"ballast.longitudinal_damping", "in N.s/m", in->ballast.longitudinal_damping.n > 0},
     };
 
     if (in->model == TRK_TEXT_MOVING_MASS)
@@ -142,7 +147,7 @@ static const char *check(const struct trk_text *in)
     for (int64_t k = 0; k < in->zone.n; k++)
         if ((why = check_zone(&z[k], k + 1)) || (why = check_zone_name(z, k)))
             return why;
-    return NULL;
+    return trk_text_tables(in);
 }
 
 const char *trk_text_read(struct trk_text *in, const char *path, char *const *set, int sets, uint64_t *hash)
@@ -153,7 +158,7 @@ const char *trk_text_read(struct trk_text *in, const char *path, char *const *se
     why = check(in);
     if (why) {
         trk_text_free(in);
-        return reason("%s: error: %s", strcmp(path, "-") ? path : "standard input", why);
+        return yaml_blame(path, &trk_text_schema, set, sets, why);
     }
     return NULL;
 }

@@ -66,7 +66,7 @@ static const char *check_names(const char *array, const char (*name)[32], int64_
             return reason("array %s: no name at %lld", array, (long long)i);
         for (int64_t k = 0; k < i; k++)
             if (!strcmp(name[i], name[k]))
-                return reason("array %s: two are named %s", array, name[i]);
+                return reason("%.*s %s: two are named %s", (int)strcspn(array, "."), array, name[i], name[i]);
     }
     return NULL;
 }

@@ -23,6 +23,11 @@ static const char *check_ends(const struct veh *v, int64_t c)
         if (end[k] < 0 || end[k] >= v->bodies)
             return reason("coupling %s: no body %lld", v->coupling_name[c], (long long)end[k]);
         wheelset[k] = veh_is_wheelset(v, end[k]);
+        if (k && wheelset[0] && wheelset[1] && end[0] != end[1])
+            return reason("coupling %s: joins two wheelsets, %s and %s; join each to a frame", v->coupling_name[c], v->body_name[end[0]],
+                          v->body_name[end[1]]);
+    }
+    for (int k = 0; k < 2; k++) {
         const double *at = k ? &v->end[3*c] : &v->point[3*c], *cg = &v->cg[3*end[k]];
         if (wheelset[k] && (at[VEH_X] != cg[VEH_X] || at[VEH_Z] != cg[VEH_Z]))
             return reason("coupling %s: must sit on the axle of wheelset %s, at x %g, height %g", v->coupling_name[c],
@@ -30,8 +35,6 @@ static const char *check_ends(const struct veh *v, int64_t c)
     }
     if (end[0] == end[1])
         return reason("coupling %s: joins body %s to itself", v->coupling_name[c], v->body_name[end[0]]);
-    if (wheelset[0] && wheelset[1])
-        return reason("coupling %s: joins two wheelsets; join each to a frame", v->coupling_name[c]);
     if (v->bearing[c] != (wheelset[0] ? 0 : wheelset[1] ? 1 : -1))
         return reason("coupling %s: bearing %lld is not the end at a wheelset", v->coupling_name[c], (long long)v->bearing[c]);
     return NULL;

@@ -15,7 +15,7 @@ static const char *const LINES[] = {"x", "y", "z", "line", NULL};
 static const struct yaml_field BODY_FIELDS[] = {
     {"name", YAML_TEXT, AT(veh_text_body, name), 0, 0, "", NULL, "of the body, up to 31 letters", NULL, NULL},
     {"mass", YAML_NUM, AT(veh_text_body, mass), YAML_POSITIVE, 1e7, "kg", NULL, "of the body", NULL, NULL},
-    {"inertia", YAML_NUMS, AT(veh_text_body, inertia), YAML_POSITIVE, 1e10, "kg m2", NULL,
+    {"inertia", YAML_NUMS, AT(veh_text_body, inertia), YAML_POSITIVE, 1e10, "kg.m2", NULL,
      "about x, y and z through the centre of gravity", NULL, NULL},
     {"x", YAML_NUM, AT(veh_text_body, x), -1e3, 1e3, "m", NULL,
      "centre of gravity, from the first wheelset, negative behind it; in a bogie from its centre", NULL, NULL},
@@ -26,7 +26,7 @@ static const struct yaml_field BODY_FIELDS[] = {
 static const struct yaml_field WHEELSET_FIELDS[] = {
     {"name", YAML_TEXT, AT(veh_text_wheelset, name), 0, 0, "", NULL, "of the wheelset, up to 31 letters", NULL, NULL},
     {"mass", YAML_NUM, AT(veh_text_wheelset, mass), YAML_POSITIVE, 1e5, "kg", NULL, "with axleboxes", NULL, NULL},
-    {"inertia", YAML_NUMS, AT(veh_text_wheelset, inertia), YAML_POSITIVE, 1e6, "kg m2", NULL, "about x, y and z; y is the axle", NULL,
+    {"inertia", YAML_NUMS, AT(veh_text_wheelset, inertia), YAML_POSITIVE, 1e6, "kg.m2", NULL, "about x, y and z; y is the axle", NULL,
      NULL},
     {"x", YAML_NUM, AT(veh_text_wheelset, x), -1e3, 1e3, "m", NULL, "from the first wheelset, which is at 0; in a bogie from its centre", NULL, NULL},
     {"radius", YAML_NUM, AT(veh_text_wheelset, radius), 0.1, 2, "m", NULL, "nominal rolling radius, the height of the axle", NULL, NULL},
@@ -43,9 +43,9 @@ static const struct yaml_field WHEELSET_FIELDS[] = {
 static const struct yaml_field COUPLING_FIELDS[] = {
     PLACE(veh_text_coupling),
     {"stiffness", YAML_NUMS, AT(veh_text_coupling, stiffness), 0, 1e12, "N/m", NULL, "along x, y and z", NULL, NULL},
-    {"damping", YAML_NUMS, AT(veh_text_coupling, damping), 0, 1e10, "N s/m", YAML_ABSENT, "along x, y and z", NULL, NULL},
-    {"rotation", YAML_NUMS, AT(veh_text_coupling, rotation), 0, 1e12, "N m/rad", YAML_ABSENT, "stiffness about x, y and z", NULL, NULL},
-    {"rotation_damping", YAML_NUMS, AT(veh_text_coupling, rotation_damping), 0, 1e10, "N m s/rad", YAML_ABSENT, "about x, y and z", NULL,
+    {"damping", YAML_NUMS, AT(veh_text_coupling, damping), 0, 1e10, "N.s/m", YAML_ABSENT, "along x, y and z", NULL, NULL},
+    {"rotation", YAML_NUMS, AT(veh_text_coupling, rotation), 0, 1e12, "N.m/rad", YAML_ABSENT, "stiffness about x, y and z", NULL, NULL},
+    {"rotation_damping", YAML_NUMS, AT(veh_text_coupling, rotation_damping), 0, 1e10, "N.m.s/rad", YAML_ABSENT, "about x, y and z", NULL,
      NULL},
     {0}};
 
@@ -78,19 +78,19 @@ static const struct yaml_field ROD_FIELDS[] = {
     PLACE(veh_text_rod),
     END(veh_text_rod, NULL, "x, y and height of its point on the second body"),
     {"stiffness", YAML_NUM, AT(veh_text_rod, stiffness), 0, 1e12, "N/m", NULL, "along its line", NULL, NULL},
-    {"damping", YAML_NUM, AT(veh_text_rod, damping), 0, 1e10, "N s/m", "0", "along its line", NULL, NULL},
+    {"damping", YAML_NUM, AT(veh_text_rod, damping), 0, 1e10, "N.s/m", "0", "along its line", NULL, NULL},
     {0}};
 
 static const struct yaml_field FRICTION_FIELDS[] = {
     PLACE(veh_text_friction),
-    {"coefficient", YAML_NUM, AT(veh_text_friction, coefficient), 0, 10, "", NULL, "of friction; 0 takes it out", NULL, NULL},
+    {"coefficient", YAML_NUM, AT(veh_text_friction, coefficient), 0, 10, "1", NULL, "of friction; 0 takes it out", NULL, NULL},
     {"load", YAML_NUM, AT(veh_text_friction, load), 0, 1e9, "N", "0", "normal force that depends on no spring", NULL, NULL},
     {"spring", YAML_TEXT, AT(veh_text_friction, spring), 0, 0, "", YAML_ABSENT, "coupling or spring whose vertical force loads it", NULL,
      NULL},
-    {"share", YAML_NUM, AT(veh_text_friction, share), 0, 100, "", "1", "normal force over that vertical force", NULL, NULL},
+    {"share", YAML_NUM, AT(veh_text_friction, share), 0, 100, "1", "1", "normal force over that vertical force", NULL, NULL},
     {"stiffness", YAML_NUMS, AT(veh_text_friction, stiffness), 0, 1e12, "N/m", YAML_ABSENT, "stick, along x, y and z; 0 is free", NULL,
      NULL},
-    {"rotation", YAML_NUMS, AT(veh_text_friction, rotation), 0, 1e12, "N m/rad", YAML_ABSENT, "stick, about x, y and z", NULL, NULL},
+    {"rotation", YAML_NUMS, AT(veh_text_friction, rotation), 0, 1e12, "N.m/rad", YAML_ABSENT, "stick, about x, y and z", NULL, NULL},
     {"radius", YAML_NUM, AT(veh_text_friction, radius), 0, 10, "m", "0", "lever of a rotation: torque at most coefficient load radius", NULL,
      NULL},
     {0}};

@@ -1,7 +1,6 @@
 /* Element types, sizes, hashes and look-ups: what reading and writing share. */
 #include "formats/vxf_disk.h"
 
-#include <math.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -85,20 +84,66 @@ const struct vxf_array *vxf_find(const struct vxf_list *list, const char *name)
     return NULL;
 }
 
+uint64_t vxf_payload_hash(const struct vxf_list *l, int64_t records, const void *const *data)
+{
+    static const unsigned char zero[VXF_ALIGN];
+    XXH64_state_t state;
+    int overflow;
+
+    XXH64_reset(&state, 0);
+    for (int i = 0; i < l->n; i++) {
+        const uint64_t bytes = vxf_bytes(&l->item[i], &overflow) * (uint64_t)records;
+        XXH64_update(&state, data[i], bytes);
+        XXH64_update(&state, zero, vxf_pad(bytes) - bytes);
+    }
+    return XXH64_digest(&state);
+}
+
+/* 0 x is 0 or, where x is not finite, NaN, which every sum keeps.  Eight sums, so that they go in lanes. */
+enum { SUMS = 8 };
+
+static int finite_doubles(const double *x, int64_t n)
+{
+    double sum[SUMS] = {0};
+    int64_t i = 0;
+
+    for (; i + SUMS <= n; i += SUMS)
+        for (int k = 0; k < SUMS; k++)
+            sum[k] += 0 * x[i + k];
+    for (; i < n; i++)
+        sum[0] += 0 * x[i];
+    for (int k = 1; k < SUMS; k++)
+        sum[0] += sum[k];
+    return sum[0] == 0;
+}
+
+static int finite_floats(const float *x, int64_t n)
+{
+    float sum[SUMS] = {0};
+    int64_t i = 0;
+
+    for (; i + SUMS <= n; i += SUMS)
+        for (int k = 0; k < SUMS; k++)
+            sum[k] += 0 * x[i + k];
+    for (; i < n; i++)
+        sum[0] += 0 * x[i];
+    for (int k = 1; k < SUMS; k++)
+        sum[0] += sum[k];
+    return sum[0] == 0;
+}
+
 int vxf_finite(enum vxf_type type, const void *data, int64_t n)
 {
-    const double *x = data;
-    const float *y = data;
-
-    if (type == VXF_F64 || type == VXF_C128) {
-        for (int64_t i = 0; i < (type == VXF_C128 ? 2 * n : n); i++)
-            if (!isfinite(x[i]))
-                return 0;
-    } else if (type == VXF_F32)
-        for (int64_t i = 0; i < n; i++)
-            if (!isfinite(y[i]))
-                return 0;
-    return 1;
+    switch (type) {
+    case VXF_F64:
+        return finite_doubles(data, n);
+    case VXF_C128:
+        return finite_doubles(data, 2 * n);
+    case VXF_F32:
+        return finite_floats(data, n);
+    default:
+        return 1;
+    }
 }
 
 int vxf_is_history(const char *line)

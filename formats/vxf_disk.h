@@ -49,6 +49,7 @@ static inline uint64_t vxf_pad(uint64_t n)
 uint64_t vxf_hash(const void *data, size_t n);
 uint64_t vxf_header_hash(const struct vxf_preamble *p, const char *text); /* text[p->header] */
 uint64_t vxf_block_head_hash(const struct vxf_block *b);
+uint64_t vxf_payload_hash(const struct vxf_list *l, int64_t records, const void *const *data); /* of a block of them, padded */
 
 /* Bytes of one array, or of one record of a series; 0 with *overflow set where it does not fit. */
 uint64_t vxf_bytes(const struct vxf_array *a, int *overflow);
@@ -68,6 +69,7 @@ const char *vxf_join(struct vxf *f, int k);
 /* Parts of writing: preamble, header and arrays; *size is their length, written into the preamble unless blocks follow. */
 const char *vxf_write_head(const struct vxf_out *o, FILE *stream, uint64_t *size);
 const char *vxf_write_all(FILE *stream, const void *data, size_t n);
+const char *vxf_write_padded(FILE *stream, const void *data, uint64_t n); /* to a multiple of 64 */
 
 /* Every number of data[n] is finite; whole numbers always are. */
 int vxf_finite(enum vxf_type type, const void *data, int64_t n);

@@ -4,7 +4,6 @@
 
 #include <errno.h>
 #include <stddef.h>
-#include <stdlib.h>
 #include <string.h>
 
 const char *vxf_stream_begin(struct vxf_stream *s, struct vxf_out *o, FILE *stream)
@@ -13,14 +12,12 @@ const char *vxf_stream_begin(struct vxf_stream *s, struct vxf_out *o, FILE *stre
     return vxf_write_head(o, stream, &s->bytes);
 }
 
-/* One block of `records` records of each array of the list. */
+/* One block of `each` records of each array of the list; `records` is what its head says. */
 static const char *write_block(struct vxf_stream *s, const char *magic, const struct vxf_list *list, int64_t each,
                                int64_t records, const void *const *data)
 {
     struct vxf_block b = {.index = (uint64_t)s->blocks, .records = records};
-    unsigned char *payload;
     const char *why;
-    uint64_t at = 0;
     int overflow;
 
     memcpy(b.magic, magic, sizeof b.magic);
@@ -29,18 +26,11 @@ static const char *write_block(struct vxf_stream *s, const char *magic, const st
             return reason("%s would hold a number that is not finite", list->item[i].name);
         b.bytes += vxf_pad(vxf_bytes(&list->item[i], &overflow) * (uint64_t)each);
     }
-    if (!(payload = calloc(b.bytes + 1, 1)))
-        return REASON_MEMORY;
-    for (int i = 0; i < list->n; i++) {
-        uint64_t bytes = vxf_bytes(&list->item[i], &overflow) * (uint64_t)each;
-        memcpy(payload + at, data[i], bytes);
-        at += vxf_pad(bytes);
-    }
-    b.hash = vxf_hash(payload, b.bytes);
+    b.hash = vxf_payload_hash(list, each, data);
     b.head = vxf_block_head_hash(&b);
-    if (!(why = vxf_write_all(s->file, &b, sizeof b)))
-        why = vxf_write_all(s->file, payload, b.bytes);
-    free(payload);
+    why = vxf_write_all(s->file, &b, sizeof b);
+    for (int i = 0; i < list->n && !why; i++)
+        why = vxf_write_padded(s->file, data[i], vxf_bytes(&list->item[i], &overflow) * (uint64_t)each);
     s->bytes += sizeof b + b.bytes;
     s->blocks++;
     if (!why && fflush(s->file) != 0)

@@ -167,7 +167,7 @@ const char *vxf_write_all(FILE *stream, const void *data, size_t n)
     return fwrite(data, 1, n, stream) == n ? NULL : reason("write error: %s", strerror(errno));
 }
 
-static const char *write_padded(FILE *stream, const void *data, uint64_t n)
+const char *vxf_write_padded(FILE *stream, const void *data, uint64_t n)
 {
     static const unsigned char zero[VXF_ALIGN];
     const char *why = n ? vxf_write_all(stream, data, n) : NULL;
@@ -225,11 +225,11 @@ const char *vxf_write_head(const struct vxf_out *o, FILE *stream, uint64_t *size
     p.hash = vxf_header_hash(&p, text);
     p.size = o->series.n ? 0 : *size;
     if (!(why = vxf_write_all(stream, &p, sizeof p)))
-        why = write_padded(stream, text, p.header);
+        why = vxf_write_padded(stream, text, p.header);
     free(text);
     for (int i = 0; !why && i < o->array.n; i++) {
         int overflow;
-        why = write_padded(stream, o->array.item[i].data, vxf_bytes(&o->array.item[i], &overflow));
+        why = vxf_write_padded(stream, o->array.item[i].data, vxf_bytes(&o->array.item[i], &overflow));
     }
     return why;
 }

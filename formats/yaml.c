@@ -47,6 +47,7 @@ static const char *scalar(struct walk *w, const struct yaml_field *f, const stru
 static const char *range(struct walk *w, const struct yaml_field *f, const struct yaml_node *node, double x)
 {
     char lo[32] = "", hi[32] = "";
+    const char *unit = strcmp(f->unit, "1") ? f->unit : "";     /* "at most 1", not "at most 1 1" */
 
     if (x >= f->lo && x <= f->hi)
         return NULL;
@@ -56,7 +57,7 @@ static const char *range(struct walk *w, const struct yaml_field *f, const struc
         snprintf(lo, sizeof lo, "at least %g", f->lo);
     if (f->hi < YAML_NO_LIMIT)
         snprintf(hi, sizeof hi, "%sat most %g", *lo ? " and " : "", f->hi);
-    return yaml_error(w->path, node, "%s must be %s%s%s%s, not %s", f->key, lo, hi, *f->unit ? " " : "", f->unit, node->text);
+    return yaml_error(w->path, node, "%s must be %s%s%s%s, not %s", f->key, lo, hi, *unit ? " " : "", unit, node->text);
 }
 
 static const char *number(struct walk *w, const struct yaml_field *f, const struct yaml_node *node, double *value)
@@ -192,7 +193,7 @@ static const char *table(struct walk *w, const struct yaml_field *f, const struc
         why = yaml_error(w->path, node, "%s: %lld places but %lld values", f->key, (long long)at.n, (long long)value.n);
     for (int64_t i = 1; !why && i < at.n; i++)
         if (!(at.x[i] > at.x[i - 1]))
-            why = yaml_error(w->path, over->child[i], "%s: places must increase", f->key);
+            why = yaml_error(w->path, over->child[i], "%s: places must increase, %g after %g", f->key, at.x[i], at.x[i - 1]);
     return why;
 }
 

@@ -65,6 +65,10 @@ const char *yaml_read(const char *path, const struct yaml_schema *schema, char *
 /* The same from a text that no file holds. */
 const char *yaml_read_text(const char *text, const struct yaml_schema *schema, char *const *set, int sets, void *object,
                            uint64_t *hash);
+/* Why a check between keys refused an object read so, "zone.2.sleepers: ...", as "file:line:column: error: zone.2.sleepers: ...", or after
+ * the override that the key came from; without a place for what came from standard input or names no key. */
+const char *yaml_blame(const char *path, const struct yaml_schema *schema, char *const *set, int sets, const char *why);
+
 /* Not yaml_free: libyaml exports that name, and would call ours. */
 void yaml_release(const struct yaml_schema *schema, void *object);
 

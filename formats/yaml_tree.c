@@ -258,6 +258,8 @@ const char *yaml_tree_read(const char *path, const char *text, struct yaml_node 
     else
         yaml_parser_set_input_file(&r.parser, file);
     *root = read_document(&r);
+    if (file && ferror(file))          /* libyaml says no more than "input error": of a folder, say */
+        r.why = reason("%s: %s", r.path, strerror(errno));
     yaml_parser_delete(&r.parser);
     if (file && file != stdin)
         fclose(file);

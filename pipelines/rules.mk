@@ -37,11 +37,20 @@ out/%.mod: $(BIN)/vxfreq
 	$(BIN)/vxfreq --modes $(MODES) -o $@ $(call of,.trk) $(call of,.veh)
 
 out/%.run: $(BIN)/vxrun
+	@mkdir -p $(@D)
 	$(BIN)/vxrun $(SET) --track $(call of,.trk) --vehicle $(call of,.veh) --contact-left $(call of,-l.ctab) \
 	    --contact-right $(call of,-r.ctab) $(addprefix --creep ,$(call of,.creep)) -o $@ $(call of,.yaml)
 
 out/%.csv: $(BIN)/vxpost
 	$(BIN)/vxpost $(POST) -o $@ $(call of,.run)
+
+# Samples of every wheelset, and how passages differ from the last one; that needs the run of one of them to tell which body is a wheelset.
+SAMPLES = station body.q contact.wheel_y contact.rail_y wheel.Q wheel.Y
+out/%-samples.csv: out/%.run $(BIN)/vxdump
+	$(BIN)/vxdump --csv -o $@ $< $(SAMPLES)
+
+out/%-differences.csv: pipelines/passages.awk $(BIN)/vxdump
+	awk -v between="$(BETWEEN)" -v bodies="$$($(BIN)/vxdump --csv $(call of,.run) wheelset.body | sed 1d)" 	    -v x="$$($(BIN)/vxdump --csv $(call of,.run) wheelset.x | sed 1d)" -f $< $(call of,-samples.csv) >$@
 
 # What vxcontact says of tables; of a wheelset, first the left one.
 out/%.txt: $(BIN)/vxcontact

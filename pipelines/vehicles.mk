@@ -4,21 +4,22 @@
 # Headline: bounce of the Manchester coach 1.074 Hz (out/vehicles/manchester-passenger-modes.txt).
 FLEET = out/vehicles
 VEHICLES = $(basename $(notdir $(wildcard data/vehicles/*.yaml)))
-MOVING = $(filter-out wheelset quarter-car,$(VEHICLES))
 
-vehicles: $(VEHICLES:%=$(FLEET)/%.png) $(VEHICLES:%=$(FLEET)/%-check.txt) $(MOVING:%=$(FLEET)/%-modes.png) $(MOVING:%=$(FLEET)/%-modes.txt)  ## drawings and modes of the vehicles, into out/vehicles
+vehicles: $(VEHICLES:%=$(FLEET)/%.png) $(VEHICLES:%=$(FLEET)/%-check.txt) $(VEHICLES:%=$(FLEET)/%-modes.png) $(VEHICLES:%=$(FLEET)/%-modes.txt)  ## drawings and modes of the vehicles, into out/vehicles
 .PHONY: vehicles
 
 $(VEHICLES:%=$(FLEET)/%.veh): $(FLEET)/%.veh: data/vehicles/%.yaml
 $(VEHICLES:%=$(FLEET)/%.png): $(FLEET)/%.png: $(FLEET)/%.veh
 $(VEHICLES:%=$(FLEET)/%.png): PLOT = --figure vehicle
-$(MOVING:%=$(FLEET)/%.mod): $(FLEET)/%.mod: $(FLEET)/%.veh
-$(MOVING:%=$(FLEET)/%.mod): MODES = 12
-$(MOVING:%=$(FLEET)/%-modes.png): $(FLEET)/%-modes.png: $(FLEET)/%.mod $(FLEET)/%.veh
-$(MOVING:%=$(FLEET)/%-modes.png): PLOT = --figure modes
+$(VEHICLES:%=$(FLEET)/%.mod): $(FLEET)/%.mod: $(FLEET)/%.veh
+$(VEHICLES:%=$(FLEET)/%.mod) $(VEHICLES:%=$(FLEET)/%-modes.txt): MODES = 12
+# Of its one body beside the wheelset:
+$(FLEET)/wheelset.mod $(FLEET)/wheelset-modes.txt: MODES = 6
+$(VEHICLES:%=$(FLEET)/%-modes.png): $(FLEET)/%-modes.png: $(FLEET)/%.mod $(FLEET)/%.veh
+$(VEHICLES:%=$(FLEET)/%-modes.png): PLOT = --figure modes
 
 $(VEHICLES:%=$(FLEET)/%-check.txt): $(FLEET)/%-check.txt: data/vehicles/%.yaml $(BIN)/vxvehicle
 	@mkdir -p $(@D)
 	$(BIN)/vxvehicle --check $< >$@
-$(MOVING:%=$(FLEET)/%-modes.txt): $(FLEET)/%-modes.txt: $(FLEET)/%.veh $(BIN)/vxfreq
-	$(BIN)/vxfreq --modes 12 --text $< >$@
+$(VEHICLES:%=$(FLEET)/%-modes.txt): $(FLEET)/%-modes.txt: $(FLEET)/%.veh $(BIN)/vxfreq
+	$(BIN)/vxfreq --modes $(MODES) --text $< >$@

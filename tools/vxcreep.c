@@ -85,13 +85,12 @@ static const char *parse(int argc, char **argv)
 
     if (opt.table && opt.check)
         cli_misuse("--table and --check exclude each other");
+    cli_form(&program, opt.table ? 1 : opt.check ? 2 : 0, opt.table ? "--table" : opt.check ? "--check" : "a force");
     parse_contact();
     if (opt.method == METHOD_TABLE && (opt.table || opt.check || opt.grid))
         cli_misuse("--method table is for a force, without --grid");
     if (n != (opt.check || opt.method == METHOD_TABLE))
         cli_misuse(n ? "no file is read here" : "FILE.creep is missing");
-    if (opt.out && !opt.table)
-        cli_misuse("-o is for --table");
     if (!opt.grid && opt.method != METHOD_TABLE)
         opt.grid = (opt.table || opt.check ? fine : grids)[opt.method];
     if (opt.method == CREEP_EXACT && (opt.grid < 2 || opt.grid > EXACT_MOST))

@@ -81,11 +81,34 @@ static const char *parse(int argc, char **argv)
 static struct place locate(const struct trk *t, int on, const char *option, const char *where)
 {
     struct place p;
-    const char *why = place_named(&p, t, on, where, opt.x, 0);
+    const char *why = place_near(t, opt.x);
 
     if (why)
+        cli_misuse("--x: %s", why);
+    if ((why = place_named(&p, t, on, where, opt.x, 0)))
         cli_misuse("--%s: %s", option, why);
     return p;
+}
+
+/* What the method needs of each row: a frequency above the last one, a motion other than zero, as its logarithm is taken. */
+static void check_rows(const struct columns *table)
+{
+    const double *const *v = (const double *const *)table->value;
+
+    if (columns_find(table, "frequency") != 0)
+        cli_die("%s: the first column is called \"%s\", frequency is wanted", opt.measured, table->name[0]);
+    if (table->n < 3)
+        cli_die("%s: %d columns, three are wanted: frequency, real and imaginary part", opt.measured, table->n);
+    for (int64_t i = 0; i < table->rows; i++) {
+        if (!(v[0][i] > 0))
+            cli_die("%s:%lld: error: the frequency must be above 0 Hz, not %g", opt.measured, (long long)table->line[i], v[0][i]);
+        if (i && !(v[0][i] > v[0][i - 1]))
+            cli_die("%s:%lld: error: the frequency must be above %g Hz, that of the row before, not %g", opt.measured,
+                    (long long)table->line[i], v[0][i - 1], v[0][i]);
+        if (v[0][i] >= opt.from && v[0][i] <= opt.to && v[1][i] == 0 && v[2][i] == 0)
+            cli_die("%s:%lld: error: %g %+gi at %g Hz: the fit takes its logarithm, it must not be zero", opt.measured,
+                    (long long)table->line[i], v[1][i], v[2][i], v[0][i]);
+    }
 }
 
 /* The rows of the table from --from to --to, at the places that the options name on t. */
@@ -96,11 +119,7 @@ static struct measured choose(const struct columns *table, const struct trk *t)
     struct measured m = {.quantity = opt.quantity};
     int64_t first = 0;
 
-    if (table->n < 3 || columns_find(table, "frequency") != 0)
-        cli_die("%s: three columns are wanted, frequency, real and imaginary part", opt.measured);
-    for (int64_t i = 0; i < table->rows; i++)
-        if (!(table->value[0][i] > (i ? table->value[0][i - 1] : 0)))
-            cli_die("%s: the frequency of row %lld is not above the one before it", opt.measured, (long long)i + 1);
+    check_rows(table);
     while (first < table->rows && table->value[0][first] < opt.from)
         first++;
     while (first + m.n < table->rows && table->value[0][first + m.n] <= opt.to)
@@ -115,7 +134,7 @@ static struct measured choose(const struct columns *table, const struct trk *t)
 
 static void print(const struct calibration *c, const struct trk *t, int64_t n)
 {
-    static const char *const unit[CALIBRATE_N] = {"N/m", "Ns/m", "N/m", "Ns/m"};
+    static const char *const unit[CALIBRATE_N] = {"N/m", "N.s/m", "N/m", "N.s/m"};
     double value[CALIBRATE_N];
 
     calibrate_values(t, value);
@@ -125,8 +144,12 @@ static void print(const struct calibration *c, const struct trk *t, int64_t n)
     for (int p = 0; p < CALIBRATE_N; p++) {
         const char *state = !opt.fit[p] ? "fixed" : c->bound[p] < 0 ? "lower" : c->bound[p] > 0 ? "upper" : "free";
         const double fitted = c->factor[p] * value[p];
-        printf("%-18s %5s %12.5g %12.5g %12.3g %10.5f %s\n", calibrate_name[p], unit[p], value[p], fitted, c->uncertainty[p] * fitted,
-               c->factor[p], state);
+        char uncertainty[32] = "-";
+        if (opt.fit[p] && c->bound[p] == 0)
+            snprintf(uncertainty, sizeof uncertainty, "%.3g", c->uncertainty[p] * fitted);
+        printf("%-18s %5s %12.5g %12.5g %12s %10.5f %s\n", calibrate_name[p], unit[p], value[p], fitted, uncertainty, c->factor[p], state);
+        if (c->bound[p] != 0)
+            cli_note("%s ends at its %s bound, %g times what it was: no optimum; --bounds or --fix", calibrate_name[p], state, c->factor[p]);
     }
 }
 

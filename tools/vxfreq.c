@@ -28,12 +28,13 @@ static const char usage[] =
     "vxfreq --modes N [--near HZ] [--damped] [--text] [-o FILE] TRACK|VEHICLE\n"
     "vxfreq --static --load N [--excite left|right|both] [--at sleeper|midspan|M] [--x M] [-o FILE] TRACK\n"
     "vxfreq --static --load N --axles M,... [--excite left|right|both] [--every M] TRACK\n"
+    "vxfreq --static --load N --axles M,... --bearers [--excite left|right|both] TRACK\n"
     "vxfreq --stiffness [--load N] [--every M] TRACK";
 
 enum { AXLES_MOST = 64 };
 
 static struct {
-    int receptance, statics, stiffness, peaks, hermite, damped, text;
+    int receptance, statics, stiffness, peaks, hermite, damped, text, bearers;
     int excite, motion, quantity, lateral, motion_lateral;
     const char *at, *motion_at;      /* NULL: where the force is */
     int64_t modes;
@@ -74,6 +75,7 @@ static const struct cli_option options[] = {
     {.name = "load", .type = CLI_NUM, .value = &opt.load, .lo = 1e-6, .hi = 1e9},
     {.name = "preload", .type = CLI_NUM, .value = &opt.preload, .lo = 1e-6, .hi = 1e9},
     {.name = "axles", .type = CLI_TEXT, .value = &opt.axles},
+    {.name = "bearers", .type = CLI_FLAG, .value = &opt.bearers},
     {.name = "every", .type = CLI_NUM, .value = &opt.every, .lo = 1e-3, .hi = 1e3},
     {.name = "o", .type = CLI_TEXT, .value = &opt.out},
     {0},
@@ -90,27 +92,21 @@ static const char *parse(int argc, char **argv)
 {
     int n;
     char **operand = cli_begin(&program, argc, argv, 1, 1, &n);
+    const struct { int asked; const char *what; } form[] = {{opt.receptance, "--receptance"}, {opt.modes > 0, "--modes"},
+        {opt.statics && !opt.axles, "--static at one place"}, {opt.statics && opt.axles && !opt.bearers, "--static --axles"},
+        {opt.statics && opt.axles && opt.bearers, "--static --axles --bearers"}, {opt.stiffness, "--stiffness"}};
 
     if (opt.receptance + opt.statics + opt.stiffness + (opt.modes > 0) != 1)
         cli_misuse("one of --receptance, --modes, --static and --stiffness is wanted");
-    if (opt.axles && !opt.statics)
-        cli_misuse("--axles goes with --static");
-    if (opt.out && (opt.stiffness || opt.axles))
-        cli_misuse("a table along the track goes to standard output, not to -o");
+    for (int k = 0; k < (int)(sizeof form / sizeof *form); k++)
+        if (form[k].asked)
+            cli_form(&program, k, form[k].what);
     if (opt.statics && !(opt.load > 0))
         cli_misuse("--static needs --load, the force in N on each rail that --excite names");
     if (opt.sweep.to < opt.sweep.from)
         cli_misuse("--to %g Hz lies below --from %g Hz", opt.sweep.to, opt.sweep.from);
-    if ((opt.peaks && !opt.receptance) || ((opt.text || opt.damped) && !opt.modes))
-        cli_misuse("--peaks goes with --receptance, --damped and --text with --modes");
     if (opt.hermite && !(opt.peaks && strcmp(opt.at, "sleeper")))
         cli_misuse("--hermite goes with --peaks, and --at midspan or a station");
-    if (opt.load > 0 && !opt.statics && !opt.stiffness)
-        cli_misuse("--load goes with --static and --stiffness");
-    if (opt.preload > 0 && !opt.receptance)
-        cli_misuse("--preload goes with --receptance");
-    if (!opt.receptance && (opt.motion >= 0 || opt.motion_at || opt.quantity || opt.lateral || opt.motion_lateral >= 0))
-        cli_misuse("--motion, --motion-at, --direction, --motion-direction and --quantity go with --receptance");
     if (opt.statics && opt.excite == PLACE_SLEEPER)
         cli_misuse("--static loads rails: --excite left, right or both");
     return operand[0];
@@ -119,9 +115,13 @@ static const char *parse(int argc, char **argv)
 static struct place locate(const struct trk *t, int on, const char *option, const char *where, int lateral)
 {
     struct place p;
-    const char *why = place_named(&p, t, on, where, opt.x, lateral);
+    const char *why = place_near(t, opt.x);
 
     if (why)
+        cli_misuse("--x: %s", why);
+    if (lateral && !trk_is_spatial(t))
+        cli_misuse("--direction lateral: a vertical track does not move sideways, one of dofs: spatial does");
+    if ((why = place_named(&p, t, on, where, opt.x, lateral)))
         cli_misuse("--%s: %s", option, why);
     return p;
 }
@@ -183,31 +183,23 @@ static void run_receptance(const struct vxf *f, const char *name)
 static void run_static(const struct vxf *f, const char *name)
 {
     struct cli_out out;
-    struct seat s;
+    struct seat s[TRK_RAILS];
     struct trk t;
 
     cli_check(name, trk_read(&t, f));
     const struct place p = locate_force(&t);
-    cli_check(name, seat_load(&s, &t, &p.point, opt.excite, opt.load));
+    cli_check(name, seat_load(s, &t, &p.point, opt.excite, opt.load));
     cli_create(&out, opt.out, 0);
-    fprintf(out.file, "deflection       %.6g m\n", s.deflection);
-    fprintf(out.file, "seat force       %.6g N\n", s.force);
-    fprintf(out.file, "pad compression  %.6g m\n", s.compression);
+    const int alike = point_loads(opt.excite, TRK_LEFT) && point_loads(opt.excite, TRK_RIGHT) && seat_alike(&s[TRK_LEFT], &s[TRK_RIGHT]);
+    for (int rail = 0; rail < (alike ? 1 : TRK_RAILS); rail++)
+        if (point_loads(opt.excite, rail)) {
+            const char *on = alike ? "each" : place_on[rail];
+            fprintf(out.file, "deflection       %.6g m  %s rail at %.6g m\n", s[rail].deflection, on, p.x);
+            fprintf(out.file, "seat force       %.6g N  %s rail on sleeper %lld\n", s[rail].force, on, (long long)s[rail].number);
+            fprintf(out.file, "pad compression  %.6g m  %s rail on sleeper %lld\n", s[rail].compression, on, (long long)s[rail].number);
+        }
     cli_close(&out);
     trk_free(&t);
-}
-
-/* A table of n rows: stations and values [n][columns - 1]. */
-static void print_table(const struct column *c, int columns, int64_t n, const double *x, const double *value)
-{
-    double row[8];
-
-    cli_header(c, columns);
-    for (int64_t i = 0; i < n; i++) {
-        row[0] = x[i];
-        memcpy(&row[1], &value[i * (columns - 1)], (size_t)(columns - 1) * sizeof *row);
-        cli_row(c, columns, row);
-    }
 }
 
 static void run_along(const struct vxf *f, const char *name)
@@ -215,23 +207,27 @@ static void run_along(const struct vxf *f, const char *name)
     static const struct column stiffness[] = {{"station", "m", 6}, {"left_alone", "N/m", 6}, {"right_alone", "N/m", 6}, {"left", "N/m", 6},
                                               {"right", "N/m", 6}};
     static const struct column bowl[] = {{"station", "m", 6}, {"left", "m", 6}, {"right", "m", 6}};
-    double axle[AXLES_MOST];
-    double *x;
+    static const struct column bearers[] = {{"station", "m", 6}, {"sleeper", "1", 6}, {"left", "N", 6}, {"right", "N", 6}, {"ballast", "N", 6}};
+    double axle[AXLES_MOST], *x;
     struct trk t;
     int64_t n;
 
     cli_check(name, trk_read(&t, f));
     cli_check(name, stiffness_stations(&t, opt.every, &n, &x));
-    double *value = calloc((size_t)n, STIFFNESS_N * sizeof *value);
+    const int axles = opt.axles ? cli_numbers("axles", opt.axles, t.x[0], t.x[t.nodes - 1], axle, AXLES_MOST) : 0;
+    double *value = calloc((size_t)(n + t.sleepers), STIFFNESS_N * sizeof *value);
     if (!value)
         cli_die(REASON_MEMORY);
-    if (opt.stiffness)
+    if (opt.stiffness) {
         cli_check(name, stiffness_along(&t, opt.load, n, x, value));
-    else {
-        const int axles = cli_numbers("axles", opt.axles, t.x[0], t.x[t.nodes - 1], axle, AXLES_MOST);
+        cli_table(stiffness, 1 + STIFFNESS_N, n, x, value);
+    } else if (opt.bearers) {
+        cli_check(name, seat_bearers(&t, opt.excite, opt.load, axles, axle, value));
+        cli_table(bearers, 1 + SEAT_BEARS, t.sleepers, t.sleeper_x, value);
+    } else {
         cli_check(name, stiffness_bowl(&t, opt.excite, opt.load, axles, axle, n, x, value));
+        cli_table(bowl, 1 + TRK_RAILS, n, x, value);
     }
-    print_table(opt.stiffness ? stiffness : bowl, opt.stiffness ? 5 : 3, n, x, value);
     free(x);
     free(value);
     trk_free(&t);

@@ -84,12 +84,22 @@ static int is_text(const char *path)
     return first != EOF && first < 0x80;
 }
 
+/* By file; of a measurement and its curves, figure fit, the curves alone where there are fewer labels than files. */
+static void label_operands(struct operands *o)
+{
+    const int first = o->n > 1 && o->in[0].table && o->in[1].file && opt.label.n < o->n;
+
+    for (int k = 0; k < opt.label.n && first + k < o->n; k++)
+        o->in[first + k].label = opt.label.item[k];
+    if (opt.label.n > o->n)
+        cli_misuse("--label %d times for %d files", opt.label.n, o->n);
+}
+
 static void open_operands(struct operands *o)
 {
     for (int k = 0; k < o->n; k++) {
         const char *slash = strrchr(o->path[k], '/');
         o->in[k].name = slash ? slash + 1 : o->path[k];
-        o->in[k].label = k < opt.label.n ? opt.label.item[k] : NULL;
         if (is_text(o->path[k])) {
             cli_check(o->path[k], columns_read(&o->table[k], o->path[k]));
             o->in[k].table = &o->table[k];
@@ -98,6 +108,7 @@ static void open_operands(struct operands *o)
             o->in[k].file = &o->file[k];
         }
     }
+    label_operands(o);
 }
 
 static void close_operands(struct operands *o)
@@ -129,6 +140,7 @@ static void parse_sleepers(struct runs_choice *r, int64_t number[CHART_PANELS])
             cli_misuse("--sleeper must be a whole number, not \"%s\"", opt.sleeper.item[k]);
     }
     if (opt.sleeper.n > 0) {
+        r->asked = 1;
         r->sleepers = opt.sleeper.n;
         r->sleeper = number;
     }
@@ -216,7 +228,7 @@ int main(int argc, char **argv)
         cli_misuse("--each is of --figure sequence, with -o");
     parse_size(&width, &height);
     struct figure_options options = {opt.from, opt.to, (double)width / height, opt.at, (int)opt.pairs, (int)opt.stations, opt.each - 1,
-                                     {opt.wheelset, 3, panels}};
+                                     {opt.wheelset, 3, panels, 0}};
     parse_sleepers(&options.runs, number);
     open_operands(&o);
     const struct figure *figure = figure_choose(opt.figure, o.n, o.in, &why);

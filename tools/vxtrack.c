@@ -9,6 +9,7 @@
 #include "formats/trk.h"
 #include "formats/trk_text.h"
 #include "tools/track/assemble.h"
+#include "tools/track/doubt.h"
 #include "tools/track/equilibrium.h"
 #include "tools/track/layout.h"
 
@@ -60,6 +61,7 @@ int main(int argc, char **argv)
     struct trk t;
     struct vxf_out o;
     uint64_t hash;
+    char words[DOUBT_TRACK_MOST][DOUBT_TRACK_WORDS];
 
     if (!path) {
         (opt.schema ? yaml_print_schema : yaml_print_master)(&trk_text_schema, stdout);
@@ -67,10 +69,14 @@ int main(int argc, char **argv)
     }
     if ((why = trk_text_read(&in, path, opt.set.item, opt.set.n, &hash)))
         cli_die("%s", why);
+    if ((why = layout_track(&t, &in)))
+        cli_die("%s", yaml_blame(path, &trk_text_schema, opt.set.item, opt.set.n, why));
     path = strcmp(path, "-") ? path : "standard input";
-    cli_check(path, layout_track(&t, &in));
     cli_check(path, assemble_track(&t));
     cli_check(path, equilibrium_settle(&t, EQUILIBRIUM_GRAVITY));
+    const int doubts = doubt_track(&t, words);
+    for (int k = 0; k < doubts; k++)
+        cli_note("doubt: %s", words[k]);
     vxf_out_begin(&o, "trk");
     vxf_put_key(&o, "INPUT", "track %016llx", (unsigned long long)hash);
     cli_check(path, trk_put(&t, &o));

@@ -80,6 +80,10 @@ static void estimate(struct frf *f, const struct run *r, const char *name)
     name_place(&f->motion, r->probe_on[probe], r->probe_x[probe]);
     cli_check(name, transfer_estimate(f, &t, &opt.sweep));
     free(z);
+    const int64_t wanted = (int64_t)floor((opt.sweep.to - opt.sweep.from) / opt.sweep.step + 1e-9) + 1;
+    if (f->n < wanted)
+        cli_note("%lld of %lld frequencies are left out, where the force has less than 1e-4 of its largest power: the rest are from %g to %g Hz",
+                 (long long)(wanted - f->n), (long long)wanted, f->frequency[0], f->frequency[f->n - 1]);
 }
 
 int main(int argc, char **argv)

@@ -12,24 +12,32 @@
 #include "formats/veh_text.h"
 #include "tools/vehicle/check.h"
 #include "tools/vehicle/doubt.h"
+#include "tools/vehicle/join.h"
 #include "tools/vehicle/vehicle.h"
 
 static const char usage[] =
     "vxvehicle [--set KEY=VALUE]... [--check] [-o FILE] INPUT\n"
+    "vxvehicle --join GAP [--coupler STIFFNESS] [--coupler-damping DAMPING] [-o FILE] FRONT.veh REAR.veh...\n"
     "vxvehicle --schema | --master";
 
-enum { DOUBTS = 200 };                  /* printed at most */
+enum { DOUBTS = 200, TRAIN_MOST = 100 };     /* printed at most, vehicles of a train */
+#define COUPLER_LENGTH 1.0              /* m, engineering estimate */
+#define COUPLER_HEIGHT 1.06             /* m, buffers of UIC 526 */
 static const double PUSH = 1;           /* m/s2, for the clearances */
 
 static struct {
     struct cli_list set;
     int check, schema, master;
+    struct join join;
     const char *out;
-} opt;
+} opt = {.join = {.gap = NAN, .length = COUPLER_LENGTH, .height = COUPLER_HEIGHT}};
 
 static const struct cli_option options[] = {
     {.name = "set", .type = CLI_LIST, .value = &opt.set},
     {.name = "check", .type = CLI_FLAG, .value = &opt.check},
+    {.name = "join", .type = CLI_NUM, .value = &opt.join.gap, .lo = 1, .hi = 1e3},
+    {.name = "coupler", .type = CLI_NUM, .value = &opt.join.stiffness, .lo = 0, .hi = 1e12},
+    {.name = "coupler-damping", .type = CLI_NUM, .value = &opt.join.damping, .lo = 0, .hi = 1e9},
     {.name = "schema", .type = CLI_FLAG, .value = &opt.schema},
     {.name = "master", .type = CLI_FLAG, .value = &opt.master},
     {.name = "o", .type = CLI_TEXT, .value = &opt.out},
@@ -43,22 +51,29 @@ static const struct cli_program program = {
     .option = options,
 };
 
-/* The operand, or NULL where the schema or the master file is asked for. */
-static const char *parse(int argc, char **argv)
+/* The operands, or NULL where the schema or the master file is asked for. */
+static char **parse(int argc, char **argv, int *n)
 {
-    int n;
-    char **operand = cli_begin(&program, argc, argv, 0, 1, &n);
-    const int asks = opt.schema + opt.master;
+    char **operand = cli_begin(&program, argc, argv, 0, TRAIN_MOST, n);
+    const int asks = opt.schema + opt.master, joins = !isnan(opt.join.gap);
 
     if (asks > 1)
         cli_misuse("--schema and --master exclude each other");
-    if (asks && (n || opt.set.n || opt.check || opt.out))
+    if (asks && (*n || opt.set.n || opt.check || opt.out || joins))
         cli_misuse("--%s stands alone", opt.schema ? "schema" : "master");
     if (opt.check && opt.out)
         cli_misuse("--check writes text and no -o FILE");
-    if (!asks && !n)
+    if (!asks && !*n)
         cli_misuse("an input is missing (-h shows the usage)");
-    return asks ? NULL : operand[0];
+    if (!joins && *n > 1)
+        cli_misuse("one input at a time; --join takes several vehicles");
+    if (joins && (*n < 2 || opt.set.n || opt.check))
+        cli_misuse("--join takes two .veh files or more, without --set and --check");
+    if (!joins && (opt.join.stiffness > 0 || opt.join.damping > 0))
+        cli_misuse("--coupler and --coupler-damping go with --join");
+    if (joins && opt.join.gap <= opt.join.length && opt.join.stiffness > 0)
+        cli_misuse("--coupler is %g m long, the gap %g m", opt.join.length, opt.join.gap);
+    return asks ? NULL : operand;
 }
 
 /* What each vertical spring carries at rest and how far that bends it; of one in a table, its place there. */
@@ -136,15 +151,44 @@ static void write_vehicle(const struct veh *v, uint64_t hash, const char *path)
     vxf_out_free(&o);
 }
 
+static void join(char **path, int n)
+{
+    static struct vxf file[TRAIN_MOST];
+    static struct veh part[TRAIN_MOST];
+    struct vxf_out o;
+    struct veh v;
+
+    for (int i = 0; i < n; i++) {
+        cli_open(&file[i], path[i], "veh");
+        cli_check(path[i], veh_read(&part[i], &file[i]));
+    }
+    cli_check("train", join_vehicles(&v, part, n, &opt.join));
+    vxf_out_begin(&o, "veh");
+    for (int i = 0; i < n; i++)
+        vxf_put_input(&o, &file[i]);
+    cli_check("train", veh_put(&v, &o));
+    cli_write(&o, opt.out);
+    vxf_out_free(&o);
+    veh_free(&v);
+    for (int i = 0; i < n; i++)
+        vxf_close(&file[i]);
+}
+
 int main(int argc, char **argv)
 {
-    const char *path = parse(argc, argv), *why;
+    int n;
+    char **operand = parse(argc, argv, &n);
+    const char *path = operand ? operand[0] : NULL, *why;
     struct veh_text in;
     struct veh v;
     uint64_t hash;
 
     if (!path) {
         (opt.schema ? yaml_print_schema : yaml_print_master)(&veh_text_schema, stdout);
+        return cli_end();
+    }
+    if (!isnan(opt.join.gap)) {
+        join(operand, n);
         return cli_end();
     }
     if ((why = veh_text_read(&in, path, opt.set.item, opt.set.n, &hash)))

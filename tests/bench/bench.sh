@@ -79,6 +79,21 @@ both_tables()
     done
 }
 
+# The largest forces of a variant: other railpads from the front of the switch on, the run-in of 31 m left out, no histories.
+maxima='channels={wheels: false, bodies: false, pads: false, ballast: false, sleepers: false, rails: false}'
+variant()
+{
+    passage --creep "$dir/f.creep" --start "$dir/s.state" --set "$maxima" "$@"
+}
+
+# variants N: in one process, N lines.
+variants()
+{
+    for k in $(seq "$1"); do
+        echo "-o $dir/v$k.run --track $dir/v$k.trk"
+    done | variant --batch -
+}
+
 starts()
 {
     for _ in 1 2 3 4 5 6 7 8 9 10; do
@@ -95,6 +110,12 @@ job "the same with the fast creep law" 0.3 0.13 passage --creep "$dir/f.creep" -
 "$PWD/build/tests/bench/creep" "$dir/f.creep" >"$dir/creep"
 row "creep force, FASTSIM 10x10" "$(awk '$1 == "fastsim" {print $2}' "$dir/creep")" ns - 370
 row "creep force, table" "$(awk '$1 == "table" {print $2}' "$dir/creep")" ns 100 -
+for k in 1 2 3 4 5 6 7 8; do
+    vxtrack --set zone.1.railpad.stiffness=$((40 * k))e6 -o "$dir/v$k.trk" data/tracks/60E1-R760-1-15-diverging.yaml
+done
+passage --creep "$dir/f.creep" --set end=-28 --save-state -29 -o "$dir/s.run"
+job "variant restarted from 31 m, extremes alone" 0.15 0.03 variant --track "$dir/v1.trk" -o "$dir/v.run"
+row "variant in a batch of eight" "$(median variants 8 | awk '{print $1/8}')" s 0.15 0.03
 row "start-up" "$(median starts | awk '{print $1/10}')" s 0.03 -
 job "contact table, 30 sections, 2 sides, 21 yaws, 0.1 mm" 3 - both_tables thirty
 sections=$(vxinfo "$dir/full-l.prof" | awk '$2 == "station" {print $4}')

@@ -48,6 +48,8 @@ force 1 0.08446 0.0012 "Fx = G a b C11 xi, C11 = 4.12"
 
 is 0 "-h" "$bin/vxcreep" -h
 n=$((n + 1)); grep -q '^vxcreep --a M --b M --N N --mu X --xi X --eta X --phi RADPM' "$tmp/out" && echo "ok $n - is the synopsis" || echo "not ok $n - -h"
+is 2 "a seed without a check" "$bin/vxcreep" $contact --xi 0 --eta 0 --phi 0 --seed 2
+is 2 "a shear modulus of a table" "$bin/vxcreep" --table --shear 8e10 -o "$tmp/none.creep"
 is 2 "no option" "$bin/vxcreep"
 is 2 "a creepage missing" "$bin/vxcreep" $contact --xi 0 --eta 0
 is 2 "a negative axis" "$bin/vxcreep" --a -1 --b 0.004 --N 82000 --mu 0.3 --xi 0 --eta 0 --phi 0

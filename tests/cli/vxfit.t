@@ -32,8 +32,10 @@ for p in "railpad_stiffness 120e6" "railpad_damping 30e3" "ballast_stiffness 200
     ok $? "$1 from a noisy receptance within three of its uncertainties, which are below 10 %"
 done
 
-vxfit --measured "$dir/measured.csv" $place --fix railpad_damping --bounds 0.5,2 "$dir/t.trk" >"$dir/fit"
-is "$(row railpad_damping 7) $(row railpad_stiffness 7) $(row railpad_stiffness 5)" "fixed lower 0" "what is fixed, and what meets its bound"
+vxfit --measured "$dir/measured.csv" $place --fix railpad_damping --bounds 0.5,2 "$dir/t.trk" >"$dir/fit" 2>"$dir/said"
+is "$(row railpad_damping 7) $(row railpad_stiffness 7) $(row railpad_stiffness 5)" "fixed lower -" "what is fixed, and what meets its bound, without uncertainty"
+
+like "$(cat "$dir/said")" '^vxfit: railpad_stiffness ends at its lower bound' "which is said"
 
 fails 2 "no measurement" vxfit "$dir/t.trk"
 fails 2 "a parameter that is none" vxfit --measured "$dir/measured.csv" --fix rail "$dir/t.trk"
@@ -41,4 +43,15 @@ fails 2 "bounds that do not hold 1" vxfit --measured "$dir/measured.csv" --bound
 fails 1 "two frequencies" vxfit --measured "$dir/measured.csv" --to 35 "$dir/t.trk"
 echo 'station value' >"$dir/other"
 fails 1 "another table" vxfit --measured "$dir/other" "$dir/t.trk"
+refuses() { fails 1 "$1" vxfit --measured "$dir/bad.csv" -o "$dir/none.trk" "$dir/t.trk"; like "$(cat "$dir/err")" "$2" "  $2"; }
+awk -F, 'NR == 5 { print $1 ",0,0"; next } 1' "$dir/measured.csv" >"$dir/bad.csv"
+refuses "a zero" 'bad.csv:5: error: 0 +0i at 60 Hz'
+[ ! -e "$dir/none.trk" ]
+ok $? "and nothing is written"
+awk -F, 'NR == 5 { print 45 "," $2 "," $3; next } 1' "$dir/measured.csv" >"$dir/bad.csv"
+refuses "a frequency that falls back" 'bad.csv:5: error: the frequency must be above 50 Hz.*not 45'
+sed 1d "$dir/measured.csv" >"$dir/bad.csv"
+refuses "no header" 'line 1: a header must name the columns'
+sed '4s/,[^,]*$//' "$dir/measured.csv" >"$dir/bad.csv"
+refuses "a number too few" 'line 4: column 3, [a-z.]*, is missing'
 done_testing

@@ -68,6 +68,9 @@ $bin/vxfreq --receptance --quantity accelerance --excite left --at 0.45 "$tmp/t.
 	$bin/vxinfo "$tmp/a.frf" | grep -q 'accelerance  *f64  *1491 x 2  .m/s2/N.' && $bin/vxinfo "$tmp/a.frf" | grep -q 'hermite  *f64  *1491 x 2'
 ok $? "an accelerance at a station, exact and by the thesis' polynomials"
 
+! { $bin/vxfreq --receptance --at 0.3 "$tmp/t.trk" | $bin/vxinfo - | grep -q 'hermite  *f64  *1491'; }
+ok $? "no second curve at a station above a sleeper, where polynomials are exact"
+
 $bin/vxfreq --static --load 1e6 "$tmp/t.trk" >"$tmp/static"
 awk '/^deflection/ { k = 1e6 / $2; good = $3 == "m" && k > 0.99 * 200.9e6 && k < 1.01 * 200.9e6 } END { exit !good }' "$tmp/static"
 ok $? "static stiffness 200.9 MN/m"
@@ -75,6 +78,21 @@ $bin/vxtrack --set ballast.stiffness=400e6 --set railpad.stiffness=150e6 $track 
 awk '/^seat force/ { f = $3 > 42.2e3 && $3 < 44e3 } /^pad compression/ { c = $3 > 0.282e-3 && $3 < 0.294e-3 } END { exit !(f && c) }' \
 	"$tmp/static"
 ok $? "93.2 kN on ballast of 400 and pads of 150 MN/m: seat force 43.1 kN, compression 0.288 mm"
+
+$bin/vxtrack --set 'zone=[{name: soft, sleepers: [[-5, 5]], rail: right, railpad: {stiffness: 40e6}}]' $track |
+	$bin/vxfreq --static --load 60e3 - >"$tmp/static"
+awk '/left rail/ { l[++i] = $1 $2 $3 } /right rail/ { r[++j] = $1 $2 $3 }
+	END { exit !(i == 3 && j == 3 && l[1] != r[1] && l[2] != r[2] && l[3] != r[3]) }' "$tmp/static"
+ok $? "both rails, each with its own deflection, seat force and compression"
+$bin/vxfreq --static --load 60e3 --excite right "$tmp/t.trk" | awk '!/right rail/ { bad++ } END { exit !(NR == 3 && !bad) }'
+ok $? "one rail loaded, one told"
+$bin/vxfreq --static --load 60e3 --axles -1.25,1.25 --bearers "$tmp/t.trk" >"$tmp/static"
+awk 'NR > 1 { l += $3; r += $4; b += $5 } END { exit !(NR == 51 && l > 119999 && l < 120001 && r > 119999 && r < 120001 && b > 239999 && b < 240001) }' \
+	"$tmp/static"
+ok $? "pads and ballast of all sleepers bear the axles"
+$bin/vxtrack --set 'ballast.gap={number: [0, 1, 2], value: [0, 1e-3, 0]}' $track | $bin/vxfreq --static --load 60e3 --axles 0.3 --bearers - |
+	awk '$2 == 1 { void = $5 * $5 } NR > 1 { b += $5 } END { exit !(void < 1e-6 && b > 119999 && b < 120001) }'
+ok $? "none of it by the ballast below a void"
 
 $bin/vxtrack data/tracks/60E1-R760-1-15-diverging.yaml | $bin/vxfreq --stiffness --every 0.3 - >"$tmp/k"
 awk 'NR > 1 && $1 > -60 && $1 < -40 && ($4 < 196e6 || $4 > 202e6) { bad++ }
@@ -122,8 +140,8 @@ peaks --preload 60000 "$tmp/v.trk" >"$tmp/p1" && peaks "$tmp/t.trk" | cmp -s - "
 ok $? "under a wheel of 60 kN the receptance is that of ballast without voids"
 peaks "$tmp/v.trk" >"$tmp/p1" && peaks "$tmp/none.trk" | cmp -s - "$tmp/p1"
 ok $? "without it that of no ballast there"
-refuses 2 "goes with" "a preload of modes" $bin/vxfreq --modes 3 --preload 1000 "$tmp/t.trk"
-refuses 2 "goes with" "a load of a receptance" $bin/vxfreq --receptance --load 1000 "$tmp/t.trk"
+refuses 2 "does not go with" "a preload of modes" $bin/vxfreq --modes 3 --preload 1000 "$tmp/t.trk"
+refuses 2 "does not go with" "a load of a receptance" $bin/vxfreq --receptance --load 1000 "$tmp/t.trk"
 
 $bin/vxfreq -h | grep -q '^vxfreq --modes N'
 ok $? "-h prints the usage"
@@ -134,14 +152,19 @@ refuses 2 "lies below" "a range that runs backwards" $bin/vxfreq --receptance --
 refuses 2 "is not a number" "a number with a unit" $bin/vxfreq --receptance --from 10Hz "$tmp/t.trk"
 refuses 2 "must be one of" "a third rail" $bin/vxfreq --receptance --excite middle "$tmp/t.trk"
 refuses 2 "go with" "a quantity of modes" $bin/vxfreq --modes 3 --quantity mobility "$tmp/t.trk"
-refuses 2 "goes with" "axles of a receptance" $bin/vxfreq --receptance --axles 3 "$tmp/t.trk"
+refuses 2 "does not go with" "axles of a receptance" $bin/vxfreq --receptance --axles 3 "$tmp/t.trk"
 refuses 2 "must be" "an axle beyond the track" $bin/vxfreq --static --load 1 --axles 3,99 "$tmp/t.trk"
-refuses 2 "standard output" "a table into a file" $bin/vxfreq --stiffness -o "$tmp/k" "$tmp/t.trk"
+refuses 2 "does not go with" "a table into a file" $bin/vxfreq --stiffness -o "$tmp/k" "$tmp/t.trk"
 refuses 2 "loads rails" "a static load on a sleeper" $bin/vxfreq --static --load 1 --excite sleeper "$tmp/t.trk"
 refuses 2 "must be -14.7" "a station beyond the track" $bin/vxfreq --receptance --at 15.1 "$tmp/t.trk"
+refuses 2 "^vxfreq: --x: 99 must be -14.7" "a sleeper nearest to what is beyond the track" $bin/vxfreq --static --load 1 --x 99 "$tmp/t.trk"
+refuses 2 "^vxfreq: --direction lateral" "sideways on a vertical track" $bin/vxfreq --receptance --direction lateral "$tmp/t.trk"
 refuses 2 "must be sleeper, midspan or a station" "a place that is none" $bin/vxfreq --receptance --at bridge "$tmp/t.trk"
 refuses 1 "of a track" "damped modes of a vehicle" sh -c "$bin/vxvehicle data/vehicles/wheelset.yaml | $bin/vxfreq --modes 1 --damped -"
-refuses 2 "goes with" "--text without --modes" $bin/vxfreq --receptance --text "$tmp/t.trk"
+refuses 2 "--from does not go with --modes" "a range of modes" $bin/vxfreq --modes 3 --from 10 "$tmp/t.trk"
+refuses 2 "--near does not go with --stiffness" "a frequency of a stiffness" $bin/vxfreq --stiffness --near 5 "$tmp/t.trk"
+refuses 2 "--every does not go with" "a table of one place" $bin/vxfreq --static --load 1 --every 1 "$tmp/t.trk"
+refuses 2 "does not go with" "--text without --modes" $bin/vxfreq --receptance --text "$tmp/t.trk"
 refuses 2 "input is missing" "no input" $bin/vxfreq --receptance
 refuses 1 "where a .trk file is wanted" "a receptance where a track is wanted" $bin/vxfreq --receptance "$tmp/x.frf"
 refuses 1 "between 1 and 150" "too many modes" $bin/vxfreq --modes 200 "$tmp/t.trk"

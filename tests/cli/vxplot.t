@@ -40,6 +40,13 @@ draws "the bowl under axles" 1600x900 sh -c 'vxfreq --static --load 9e4 --axles 
 draws "a receptance through a pipe" 800x450 sh -c 'vxplot --size 800x450 - <sleeper.frf'
 vxdump --csv sleeper.frf frequency receptance >measured.csv
 draws "a measurement and receptances" 1600x900 vxplot --figure fit measured.csv sleeper.frf midspan.frf
+vxplot --figure fit --label one --label two measured.csv sleeper.frf midspan.frf >curves.png
+ok $? "labels of the curves of a fit alone"
+# The end of the file holds pixels; the command that it keeps stands before them.
+pixels() { vxplot "$@" measured.csv sleeper.frf midspan.frf | tail -c 20000 | cksum; }
+is "$(pixels --figure fit --label one --label two)" "$(pixels --figure fit --label measured --label one --label two)" \
+    "are those after the one of the measurement"
+fails 2 "a label too many" vxplot --label one --label two sleeper.frf
 draws "modes of the track" 800x450 vxplot --size 800x450 track.mod track.trk
 draws "a vehicle in three views" 1600x900 vxplot wheelset.veh
 draws "a window of a coach" 800x450 vxplot --size 800x450 --figure vehicle --from -4 --to 2 coach.veh
@@ -66,7 +73,7 @@ draws "conicity over amplitude" 800x450 \
 draws "rolling radii of two tables" 800x450 vxplot --size 800x450 l.ctab r.ctab
 draws "rolling radii from text" 800x450 vxplot --size 800x450 radius.txt
 draws "any table from standard input" 800x450 sh -c 'vxplot --size 800x450 --figure table - <radius.txt'
-for figure in vertical lateral max-pads max-ballast; do
+for figure in vertical lateral wheelset max-pads max-ballast; do
     draws "$figure of a run" 800x450 vxplot --size 800x450 --figure $figure a.run
 done
 for figure in pads ballast; do
@@ -93,6 +100,7 @@ fails 2 "frames on standard output" vxplot --each --figure sequence wl.prof turn
 fails 2 "an abbreviated option" vxplot --fig vertical a.run
 fails 1 "a sleeper that is not there" vxplot --figure pads --sleeper 999 a.run
 fails 1 "a wheelset that is not there" vxplot --wheelset 2 a.run
+fails 1 "the motion of a wheelset that is not there" vxplot --figure wheelset --wheelset 2 a.run
 fails 1 "modes of another vehicle" vxplot coach.mod wheelset.veh
 fails 1 "no body in the window" vxplot --from 30 --to 40 coach.veh
 fails 1 "two kinds that fit no figure" vxplot a.run sleeper.frf

@@ -83,7 +83,8 @@ vxrun --schema | grep -q '^contact.law	word	-	hertz|linear	hertz	'
 ok $? "--schema names the keys with range and default"
 
 # The page's table is the schema's.
-vxrun --schema | awk -F'\t' 'NR > 1 {print ".It " $1 " Ta " $3 " Ta " $5 " Ta " $6}' >"$dir/schema"
+vxrun --schema | awk -F'\t' 'NR > 1 {words = $4; gsub(/[|]/, ", ", words)
+    print ".It " $1 " Ta " $3 " Ta " $5 " Ta " $6 ($2 == "word" ? " (" words ")" : "")}' >"$dir/schema"
 is "$(sed -n '/^\.It Sy key/,/^\.El/{/^\.It Sy key/d; /^\.El/d; p}' man/case-input.5 | diff - "$dir/schema")" "" "case-input(5) has the keys of --schema"
 
 # refuses STATUS WORD WHAT ARGUMENT...: and leaves neither a .run nor a .part.
@@ -114,7 +115,8 @@ refuses 1 "speed_kmh" "a missing key" "$dir/cases/missing.yaml"
 refuses 1 "stepp" "an unknown key in --set" --set stepp=1 "$plain"
 refuses 1 "at least\|>= 1" "no speed" --set speed_kmh=0 "$plain"
 refuses 1 "one of explicit" "a scheme that is not built" --set scheme=newmark "$plain"
-refuses 1 "one of facing" "a direction that is not built" --set direction=trailing "$plain"
+refuses 1 "one of facing" "a direction there is not" --set direction=backwards "$plain"
+refuses 1 "must lie before start" "a trailing end beyond its start" --set direction=trailing "$plain"
 refuses 1 "a .veh file where a .trk file is wanted" "the wrong kind" --track "$dir/coach.veh" "$plain"
 vxtrack -o "$dir/mass.trk" data/tracks/moving-mass.yaml
 vxrun --track "$dir/mass.trk" -o "$dir/m.run" "$plain"
@@ -127,6 +129,7 @@ refuses 1 "r.ctab: is of side r, but --contact-left wants side l" "both exchange
 head -c 100000 "$dir/l.ctab" >"$dir/cut.ctab"
 refuses 1 "cut.ctab: truncated" "a table cut short" --contact-left "$dir/cut.ctab" "$plain"
 refuses 1 "beyond the limit of the explicit scheme" "too long a step" --set scheme=explicit --set step=2e-4 "$plain"
+refuses 1 "train_scheme: implicit wants scheme: implicit" "an implicit train on an explicit track" --set train_scheme=implicit --set scheme=explicit "$plain"
 refuses 1 "limit of the wheelsets' spin at 1.39 m/s" "too long a step for so low a speed" --set speed_kmh=5 "$plain"
 refuses 1 "the last wheelset would start at -71.56 m" "a start before the track" --set start=-50 "$plain"
 refuses 1 "the front wheelset would end at 60.00 m" "an end beyond it" --set end=60 "$plain"
@@ -142,8 +145,8 @@ for model in mass_model=consistent beam=timoshenko; do
     vxrun -v --track "$dir/fine.trk" -o "$dir/f.run" "$plain" 2>"$dir/err"
     is "$? $(grep -c '^vxrun: track implicit, .*wants lumped Euler-Bernoulli rails' "$dir/err")" "0 1" "... which scheme: auto takes, and says why"
 done
-vxtrack --set from=-60 --set length=120 --set 'curve=[{from: -40, curvature: 0.002}]' -o "$dir/curve.trk" data/tracks/thesis-straight.yaml
-refuses 1 "in or behind a curve" "a start in a curve" --track "$dir/curve.trk" "$plain"
+vxtrack --set from=-60 --set length=120 --set 'curve=[{from: -40, curvature: 0.05}]' -o "$dir/curve.trk" data/tracks/thesis-straight.yaml
+refuses 1 "no quasi-static equilibrium found" "a start in a curve that no flange holds" --track "$dir/curve.trk" "$plain"
 
 printf 'station (m), cross_level (mm)\n-100, 0.1\n100, 0.2\n' >"$dir/cases/level.csv"
 printf 'station (m), gauge (mm)\n1, 0.1\n2, 0.2\n' >"$dir/cases/short.csv"
@@ -166,8 +169,10 @@ flawed "fewer than two lines" "one line" 'station (m), gauge (m)\n1, 2\n'
 refuses 1 "irregularity: reaches from 1 to 2 m, but" "an irregularity that is too short" --set irregularity.file=short.csv "$plain"
 refuses 1 "none.csv: No such file" "an irregularity that is not there" --set irregularity.file=none.csv "$plain"
 refuses 1 "file and spectrum exclude each other" "irregularity twice" --set irregularity.file=level.csv --set irregularity.spectrum=erri-low "$plain"
+refuses 1 "error: friction_on.1.from: 20 m lies beyond to, 10 m" "friction on nothing" --set 'friction_on=[{friction: 0.1, from: 20, to: 10}]' "$plain"
 refuses 1 "shortest, 80 m, must be below longest" "wavelengths the wrong way" --set irregularity.spectrum=erri-low --set irregularity.shortest=80 "$plain"
 refuses 1 "wheel_flat.1.wheelset is 9, but the vehicle has" "a flat on no wheelset" --set 'wheel_flat=[{wheelset: 9, length: 0.05}]' "$plain"
+refuses 1 "--save-state: 20 m is not on the way from -30 to -29 m" "a state beyond the end" --save-state 20 "$plain"
 fails 1 "a full disk" vxrun -o /dev/full "$plain"
 vxrun "$plain" >/dev/full 2>"$dir/err"
 is "$? $(cat "$dir/err")" "1 vxrun: standard output: write error: No space left on device" "a full standard output"
@@ -190,5 +195,28 @@ between "$last" "$(echo "$at" | awk '{print $1 - 0.023}')" "$at" "with samples u
 like "$(vxinfo "$dir/x.state" | grep '^FAILED=')" 'wheelset 1, .* beside its rail' "and the state of the step that failed, with the reason"
 fails 1 "from which no run goes on" vxrun --track "$dir/curve.trk" --start "$dir/x.state" --set end=30 -o "$dir/y.run" "$plain"
 like "$(cat "$dir/err")" 'is what a run that failed has left' "which is said"
+# A batch, whose lines are checked before any runs.
+echo "-o $dir/v1.run" >"$dir/batch"
+batch()
+{
+    status=$1 word=$2 what=$3
+    shift 3
+    fails $status "$what" vxrun "$@"
+    like "$(cat "$dir/err")" "$word" "... $word"
+}
+batch 2 "--batch: every line names its own -o" "-o beside --batch" --batch "$dir/batch" -o "$dir/v0.run" "$plain"
+batch 2 "--jobs does not go with a run" "--jobs alone" --jobs 2 "$plain"
+batch 2 "--jobs must be from 1 to 64" "no job" --batch "$dir/batch" --jobs 0 "$plain"
+batch 1 "none: No such file" "a batch that is not there" --batch "$dir/none" "$plain"
+printf '# nothing\n\n' >"$dir/empty"
+batch 1 "empty: has no variant" "a batch without a line" --batch "$dir/empty" "$plain"
+echo "--set end=-20" >"$dir/nameless"
+batch 1 "nameless: line 1: wants an output of its own, -o FILE" "a line without an output" --batch "$dir/nameless" "$plain"
+printf '%s\n\n%s\n' "-o $dir/v1.run" "-o $dir/v1.run --set end=-20" >"$dir/twice"
+batch 1 "v1.run is the output of line 1 too" "two lines with one output" --batch "$dir/twice" "$plain"
+batch 1 "none.trk: No such file" "a batch whose own command has no track" --batch "$dir/batch" --track "$dir/none.trk" "$plain"
+[ ! -e "$dir/v0.run" ] && [ ! -e "$dir/v1.run" ]
+ok $? "none has run"
+fails 2 "--schema with --start" vxrun --schema --start x.state
 fails 2 "--save-state without -o" vxrun --save-state -29.5 "$plain"
 done_testing

@@ -55,7 +55,7 @@ refuses 1 "which a moving mass has" "a moving mass of two bays" $bin/vxtrack --s
 refuses 1 "held is for model: moving_mass alone" "sleepers held in roll under a fixed track" $bin/vxtrack --set sleeper.roll=held $track
 
 # The table of the page is the schema's: every key is there with its unit and default.
-$bin/vxtrack --schema | awk -F'\t' 'NR > 1 { printf ".It %s Ta %s Ta %s Ta %s\n", $1, $3, $5, $6 }' >"$tmp/rows"
+$bin/vxtrack --schema | awk -F'\t' 'NR > 1 { words = $4; gsub(/[|]/, ", ", words); print ".It " $1 " Ta " $3 " Ta " $5 " Ta " $6 ($2 == "word" ? " (" words ")" : "") }' >"$tmp/rows"
 grep '^\.It .* Ta ' man/track-input.5 | grep -v '^.It Sy' | cmp -s - "$tmp/rows"
 ok $? "track-input(5) has the rows of --schema"
 
@@ -153,7 +153,7 @@ zone.1.sleepers=[]|zone.1.sleepers: no sleeper
 zone.1.sleepers=[1, 20]|sleepers: a pair
 zone.1.sleepers=[[1, 21]]|zone.2.sleepers: the left railpad of sleeper 21 is in two zones, switch and closure
 zone.4.rail=both|zone.4.sleepers: the left railpad of sleeper 70 is in two zones, crossing and crossing-other-rail
-zone.1.sleepers=[[1, 20], [15, 20]]|zone.1.sleepers: the left railpad of sleeper 15 stands twice
+zone.1.sleepers=[[1, 20], [15, 20]]|zone.1.sleepers: \[1, 20\] and \[15, 20\] have sleepers in common
 zone.2.name=switch|zone.2.name: "switch" is the name of zone.1 already
 zone.1.rail=middle|rail must be one of left, right, both
 zone.1.railpad.stiffness=-1|stiffness must be greater than 0
@@ -174,13 +174,17 @@ rail.left.mass=-1|mass must be greater than 0
 rail.left.pitch_inertia=0|pitch_inertia must be greater than 0
 rail.right.rotary_inertia={station: [1, 0], value: [1, 1]}|rotary_inertia: places must increase
 ballast.gap=-1e-3|gap must be at least 0
-ballast.gap={number: [1, 2], value: [0, 2]}|gap must be at least 0 and at most 1 m, not 2
+ballast.gap={number: [1, 2], value: [0, 2]}|gap must be at least 0 and at most 0.05 m, not 2
 ballast.left.gap=-1|gap must be at least 0
 ballast.middle.stiffness=-1|stiffness must be at least 0
 ballast.right.damping=-1|damping must be at least 0
 ballast.tension=maybe|tension
 railpad.missing=[{sleepers: [[500, 501]]}]|railpad.missing.1.sleepers: \[500, 501\] is not within the track, sleepers -144 to 109
 railpad.missing=[{sleepers: [[3, 3]]}, {sleepers: [[3, 2]]}]|railpad.missing.2.sleepers: \[3, 2\] must be two whole numbers
+railpad.missing=[{sleepers: [[3, 3], [3, 4]]}]|--set .*: error: railpad.missing.1.sleepers: \[3, 3\] and \[3, 4\] have sleepers in common
+ballast.gap={number: [1.5, 2], value: [0, 0]}|error: ballast.gap: 1.5 is no number of a sleeper
+ballast.gap={number: [801, 802], value: [0, 0]}|error: ballast.gap: sleepers 801 to 802 are not on the track, whose sleepers are -144 to 109
+rail.left.mass={station: [801, 802], value: [60, 61]}|error: rail.left.mass: stations 801 to 802 are not on the track
 railpad.missing=[{sleepers: []}]|railpad.missing.1.sleepers: no sleeper
 railpad.missing=[{sleepers: [[3, 3]], rail: middle}]|rail must be one of left, right, both
 railpad.missing=[{rail: left}]|sleepers
@@ -250,8 +254,8 @@ ok $? "and between sleepers at 396 Hz, pinned-pinned: sqrt(4 EI/(L I))/2 pi = 39
 $bin/vxfreq --receptance --direction lateral --motion-direction vertical --excite left "$tmp/s.trk" >"$tmp/out" &&
 	$bin/vxinfo "$tmp/out" | grep -q '^FORCE_DIRECTION= lateral' && $bin/vxinfo "$tmp/out" | grep -q '^MOTION_DIRECTION= vertical'
 ok $? "force and motion have a direction each"
-refuses 2 "lateral wants one of dofs: spatial" "a vertical track pushed sideways" $bin/vxfreq --receptance --direction lateral "$tmp/a.trk"
-refuses 2 "go with --receptance" "a direction of modes" $bin/vxfreq --modes 2 --direction lateral "$tmp/s.trk"
+refuses 2 "direction lateral: a vertical track does not move sideways" "a vertical track pushed sideways" $bin/vxfreq --receptance --direction lateral "$tmp/a.trk"
+refuses 2 "direction does not go with --modes" "a direction of modes" $bin/vxfreq --modes 2 --direction lateral "$tmp/s.trk"
 
 # The same in a file: the place of it too.  s/FROM/TO/ | what the line must hold after the name of the file, LINE the first that is edited
 while IFS='|' read -r edit word; do
@@ -268,9 +272,9 @@ s/number: .1, 11, 21/number: [1, 21, 11/|LINE:23: error: mass: places must incre
 s/rail: left/rail: frog/|LINE:52: error: rail must be one of left, right, both, not "frog"
 s/closure, sleepers/closure, sleeper/|LINE:23: error: unknown key sleeper in zone, did you mean sleepers
 s/..70, 90.., rail: left/[70, 90], rail: left/|LINE:35: error: sleepers: a pair
-s/50.592,/-50.592,/| error: curve.2.from: -50.592 must be beyond
-s/.91, 100./[85, 100]/| zone.3.sleepers: the left railpad of sleeper 85 is in two zones, closure and crossing
-s/.91, 100./[91, 1000]/| zone.2.sleepers: .91, 1000. is not within the track
+s/50.592,/-50.592,/|LINE:[0-9]*: error: curve.2.from: -50.592 must be beyond
+s/.91, 100./[85, 100]/|[0-9]*:[0-9]*: error: zone.3.sleepers: the left railpad of sleeper 85 is in two zones, closure and crossing
+s/.91, 100./[91, 1000]/|LINE:[0-9]*: error: zone.2.sleepers: .91, 1000. is not within the track
 EOF
 
 refuses 1 "sleeper 5: 1 of its railpads and ballast springs is there" "a sleeper on its middle alone" $bin/vxtrack \
@@ -290,6 +294,17 @@ gap() { $bin/vxtrack --set "ballast.gap={number: [0, 1, 2], value: [0, $1, 0]}" 
 ok $? "a gap of nothing is linear ballast, one of 50 mm is none"
 awk -v a="$(gap 0.0002)" 'BEGIN { exit !(a > 0.00037 && a < 0.000375) }'
 ok $? "one of 0.2 mm closes under 60 kN a rail"
+
+$bin/vxtrack --set railpad.stiffness=300 --set rail.elements_per_bay=2 $track 2>"$tmp/err" >"$tmp/out"
+ok $? "numbers that are possible and hardly meant"
+is=$(cat "$tmp/err")
+echo "$is" | grep -q '^vxtrack: doubt: a railpad of sleeper -24 has 300 N/m$' && echo "$is" | grep -q '^vxtrack: doubt: rail.pitch_inertia: 1.25 ' &&
+	[ "$(wc -l <"$tmp/err")" -eq 2 ]
+ok $? "are doubted on standard error"
+for input in data/tracks/*.yaml; do $bin/vxtrack "$input" 2>&1 >"$tmp/out" | grep doubt; done >"$tmp/err"
+[ ! -s "$tmp/err" ]
+ok $? "none of the tracks here"
+refuses 1 "^vxtrack: /tmp: Is a directory" "a folder" $bin/vxtrack /tmp
 
 sed 's/stiffness: 300e6/stiffness: 300 MN/' $track >"$tmp/unit.yaml"
 refuses 1 "unit.yaml:[0-9]*:[0-9]*: error: " "a unit in a number, told with its place" $bin/vxtrack "$tmp/unit.yaml"

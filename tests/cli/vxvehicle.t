@@ -54,11 +54,34 @@ doubts "a stiffness a million times too small" "coupling.7.rotation=[940e3, 0, 1
 doubts "a damping of Ns/mm" "coupling.1.damping=[15, 2, 4]" "coupling primary1-r: 2 N s/m along y"
 doubts "inertias of no body" "body.1.inertia=[4e6, 1.97e6, 1.97e6]" "body carbody: no body has these inertias, that about x is more than the other two"
 doubts "a wrong coordinate" "coupling.5.at=[-1.28, 10, 0.8275]" "coupling secondary1-r: 8.62 m off body bogie1"
+doubts "a carbody of a tall box" "body.1.inertia=[250e3, 1.97e6, 1.97e6]" "body carbody: a box of its inertias, "
 doubts "a carbody off the middle" body.1.y=0.05 "wheelset wheelset1: "
 "$bin/vxvehicle" --check --set "coupling.5.stiffness=[160e3, 160e3, 0.43]" "$coach" >"$tmp/out" 2>"$tmp/err"
 status=$?
 n=$((n + 1)); [ $status -eq 1 ] && echo "ok $n - a spring that does not carry is refused" || echo "not ok $n - a spring that does not carry is refused"
 says "with the doubt that may be why" "doubt      coupling secondary1-r: 0.43 N/m along z"
+
+cat >"$tmp/two.yaml" <<'END'
+vehicle:
+  name: two-axle-wagon
+  body: [{name: body, mass: 18000, inertia: [30e3, 250e3, 255e3], x: -4, height: 1.6}]
+  bogie:
+    - at: [0, -8]
+      wheelset: [{name: ws, mass: 1300, inertia: [700, 100, 700], x: 0, radius: 0.46}]
+      coupling: [{name: guide, from: ws, to: body, at: [0, 1, 0.46], mirror: true, stiffness: [3e6, 0.8e6, 0], damping: [5e3, 5e3, 3e3]}]
+      spring: [{name: leaf, from: ws, to: body, at: [0, 1, 0.46], mirror: true, table: [[0, 0], [0.03, 30e3], [0.06, 90e3]]}]
+END
+is 0 "springs of a table" "$bin/vxvehicle" --check "$tmp/two.yaml"
+says "that is not doubtful" "doubts     0"
+sed 's/name: leaf, from: ws, to: body/name: leaf, from: body, to: ws/' "$tmp/two.yaml" >"$tmp/doubt.yaml"
+is 0 "the wrong way round" "$bin/vxvehicle" --check "$tmp/doubt.yaml"
+says "lie before the table at rest" "doubt      coupling leaf1-r: at rest at -0.04414 m, beyond its table of 0 to 0.06 m"
+sed 's/0.06, 90e3/0.06, 40e3/' "$tmp/two.yaml" >"$tmp/doubt.yaml"
+is 0 "too heavy a load" "$bin/vxvehicle" --check "$tmp/doubt.yaml"
+says "lies beyond the table" "doubt      coupling leaf2-l: at rest at 0.0"
+sed 's/0.03, 30e3/30, 30e3/; s/0.06, 90e3/60, 90e3/' "$tmp/two.yaml" >"$tmp/doubt.yaml"
+"$bin/vxvehicle" --check "$tmp/doubt.yaml" >"$tmp/out" 2>"$tmp/err"
+says "a table in mm bends it by metres" "doubt      coupling leaf1-r: bent by 37.1 m at rest"
 
 is 0 "a file" "$bin/vxvehicle" -o "$tmp/a.veh" "$coach"
 is 0 "is a container" "$bin/vxinfo" "$tmp/a.veh"
@@ -72,6 +95,11 @@ is 0 "-h" "$bin/vxvehicle" -h
 says "is the synopsis" "vxvehicle [--set KEY=VALUE]... [--check] [-o FILE] INPUT"
 is 0 "--schema" "$bin/vxvehicle" --schema
 says "names every key" "coupling.N.rotation_damping"
+# The table of the page is the schema's, but for the parts of a bogie, which are those of the vehicle.
+"$bin/vxvehicle" --schema | awk -F'\t' 'NR > 1 && $1 !~ /^bogie\.N\.[b-z]/ {
+    words = $4; gsub(/[|]/, ", ", words); print ".It " $1 " Ta " $3 " Ta " $5 " Ta " $6 ($2 == "word" ? " (" words ")" : "")}' >"$tmp/schema"
+sed -n '/^\.It Sy key/,/^\.El/{/^\.It Sy key/d; /^\.El/d; /^\.It bogie\.N\.body to /d; p}' man/vehicle-input.5 >"$tmp/page"
+is 0 "vehicle-input(5) has the keys of --schema" cmp "$tmp/page" "$tmp/schema"
 is 0 "--master" "$bin/vxvehicle" --master
 
 is 2 "no input" "$bin/vxvehicle"
@@ -154,7 +182,7 @@ tried "a damper that gives way" "damper: [{name: d, from: wheelset, to: frame, a
     "does not rise"
 tried "a spring across with a load" "spring: [{name: s, from: wheelset, to: frame, at: [0, 0, 0.46], axis: y, table: [[0, 10], [1, 1e3]]}]" "needs a row 0, 0"
 tried "friction without a load" "friction: [{name: f, from: wheelset, to: frame, at: [0, 0, 0.46], coefficient: 1, stiffness: [1, 0, 0]}]" "needs a load or a spring"
-tried "two couplings of one name" "stop: [{name: primary-r, from: wheelset, to: frame, at: [0, 0, 0.46], axis: y, table: [[0, 0], [1, 1]]}]" "two are named primary-r"
+tried "two couplings of one name" "stop: [{name: primary-r, from: wheelset, to: frame, at: [0, 0, 0.46], axis: y, table: [[0, 0], [1, 1]]}]" "bad.yaml:8: error: coupling primary-r: two are named primary-r"
 tried "an anchor" "stop: &a []" "bad.yaml:9:"
 
 # A ring of couplings is a vehicle: three rods from frame to wheelset close it many times.

@@ -76,6 +76,27 @@ static void cant(void)
     alignment_free(&a);
 }
 
+/* Counted from a station within a piece, all of it lies as before against the tangent there, ahead and behind. */
+static void begun(void)
+{
+    struct alignment a, b;
+    const double s = x[1] + 0.3 * (x[2] - x[1]);
+    double worst = 0, turned = 0;
+
+    ok(!alignment_new(&a, 3, x, curvature) && !alignment_new(&b, 3, x, curvature) && !alignment_begin(&b, s), "begun in its second piece");
+    const struct alignment_point at = alignment_at(&a, s), zero = alignment_at(&b, s);
+    ok(zero.heading == 0 && zero.offset == 0 && zero.curvature == at.curvature, "no heading, no offset, the same curvature there");
+    for (double d = x[0] - 20; d < x[2] + 50; d += 0.7) {
+        const struct alignment_point p = alignment_at(&a, d), q = alignment_at(&b, d);
+        worst = fmax(worst, fabs(q.offset - (p.offset - at.offset - at.heading * (d - s))));
+        turned = fmax(turned, fabs(q.heading - (p.heading - at.heading)) + fabs(q.curvature - p.curvature));
+    }
+    near(worst, 0, 1e-12, "offsets against its tangent");
+    near(turned, 0, 1e-15, "headings and curvatures");
+    alignment_free(&a);
+    alignment_free(&b);
+}
+
 int main(void)
 {
     struct alignment a;
@@ -87,5 +108,6 @@ int main(void)
     alignment_free(&a);
     none();
     cant();
+    begun();
     return done();
 }

@@ -47,5 +47,17 @@ int main(void)
 
     /* On the flare the play falls by 10 mm a metre, so it closes at 0.2 m/s. */
     near(push(1, 1, 44, -0.0135, 0, 0).check, -(30e6 * 1e-3 + 50e3 * 0.2), 1e-5, "a flare closes on a wheelset that goes straight");
+
+    /* A beam that yields 5 nm/N: k e/(1 + k g). */
+    struct trk t = {.checks = 3, .check_rail = &rail[1], .check_k = &k, .check_c = &c, .check_x = x, .check_play = play};
+    struct wheel_input in = {.s = 46, .v = 20, .y = -0.0035, .radius = 0.46, .check_give = 5e-9};
+    struct wheel_output beam;
+    memset(&beam, 0, sizeof beam);
+    check_rail_add(&t, TRK_RIGHT, &in, &beam);
+    near(beam.check, -30e3 / 1.15, 1e-6, "a beam that yields takes less");
+    in.check_y = -1e-3;
+    memset(&beam, 0, sizeof beam);
+    check_rail_add(&t, TRK_RIGHT, &in, &beam);
+    ok(silent(beam), "and one that stands aside nothing");
     return done();
 }

@@ -10,16 +10,16 @@ static struct seat seat_of(const char *const *set, int sets, int at, int excite,
 {
     struct trk t;
     struct point p;
-    struct seat s = {NAN, NAN, NAN, 0};
+    struct seat s[TRK_RAILS] = {{NAN, NAN, NAN, 0}, {NAN, NAN, NAN, 0}};
 
     if (table1(&t, set, sets) == NULL) {
         point_at(&p, &t, point_station(&t, at, 0));
-        const char *why = seat_load(&s, &t, &p, excite, load);
+        const char *why = seat_load(s, &t, &p, excite, load);
         if (why)
             printf("# %s\n", why);
     }
     trk_free(&t);
-    return s;
+    return s[point_rail(excite)];
 }
 
 /* Seat force (kN) and pad compression (mm) under a wheel of 93.2 and of 110.4 kN; ballast and pad in MN/m. */

@@ -33,6 +33,11 @@ static void exchange(const struct lumped *l, double *dof, double *state, int int
         }
 }
 
+static struct wheel_place find(const struct lumped *l, int rail, double x)
+{
+    return wheel_place_find(l->track, l->beam[rail], x);
+}
+
 /* Rails whose stiffness rises and falls within bays. */
 static const char *const VARYING[] = {"rail.left.bending_stiffness={station: [2.1, 9.4, 9.7, 40], value: [6.11e6, 4e6, 9e6, 6.11e6]}",
                                       "rail.right.bending_stiffness={station: [-3, 3], value: [6.11e6, 7e6]}"};
@@ -94,7 +99,7 @@ static void statics(void)
 
     ok(!rig_track(&t, RIG_TURNOUT, NULL, 0) && !lumped_new(&l, &t, g) && !cholesky_new(&s, &t), "the turnout's track, factored");
     double *u = calloc((size_t)t.dofs, sizeof *u);
-    struct wheel_place at = lumped_find(&l, 1, 20.13);
+    struct wheel_place at = find(&l, 1, 20.13);
     for (int64_t i = 0; i < t.nodes; i++)
         for (int k = 0; k < 2; k++)
             u[t.node_dof[i] + 2 * k] = t.rail_mass[k * t.nodes + i] * g;
@@ -222,7 +227,7 @@ static void wheel_loads(const char *const *set, int sets)
 
     ok(!rig_track(&t, RIG_TURNOUT, set, sets) && !lumped_new(&l, &t, 0) && !cholesky_new(&s, &t), "the turnout's track, factored");
     double *u = calloc((size_t)t.dofs, sizeof *u);
-    struct wheel_place p[2] = {lumped_find(&l, 0, 20.13), lumped_find(&l, 1, 21.47)};
+    struct wheel_place p[2] = {find(&l, 0, 20.13), find(&l, 1, 21.47)};
     for (int k = 0; k < 2; k++) {
         memset(l.a, 0, (size_t)(LUMPED_PARTS * l.stride) * sizeof *l.a);
         lumped_load(&l, k, &p[k], 1);
@@ -238,15 +243,15 @@ static void wheel_loads(const char *const *set, int sets)
 
     double h = 1e-6, worst = 0;
     for (double x = 20.05; x < 21.2; x += 0.1) {
-        struct wheel_place a = lumped_find(&l, 0, x - h), b = lumped_find(&l, 0, x), c = lumped_find(&l, 0, x + h);
+        struct wheel_place a = find(&l, 0, x - h), b = find(&l, 0, x), c = find(&l, 0, x + h);
         double difference = lumped_sample(&l, 0, &c, c.shape, l.u) - lumped_sample(&l, 0, &a, a.shape, l.u);
         worst = fmax(worst, fabs(difference / (2 * h) - lumped_sample(&l, 0, &b, b.slope, l.u)));
     }
     double size = fabs(lumped_sample(&l, 0, &p[0], p[0].slope, l.u));
     ok(worst < 1e-6 * size, "slope is the derivative of the deflection (%.1e)", worst / size);
-    near(lumped_find(&l, 0, t.x[9]).compliance, 0, 1e-30, "no compliance over a sleeper");
+    near(find(&l, 0, t.x[9]).compliance, 0, 1e-30, "no compliance over a sleeper");
     if (!sets)
-        near(lumped_find(&l, 0, t.x[9] + 0.3).compliance * 192 * 6.11e6 / (0.6 * 0.6 * 0.6), 1, 1e-9, "L^3/(192 EI) halfway");
+        near(find(&l, 0, t.x[9] + 0.3).compliance * 192 * 6.11e6 / (0.6 * 0.6 * 0.6), 1, 1e-9, "L^3/(192 EI) halfway");
     free(u);
     cholesky_free(&s);
     lumped_free(&l);
@@ -266,7 +271,7 @@ static void moments(double along, const char *bending)
     ok(!rig_track(&t, RIG_STRAIGHT, fine, 1) && !lumped_new(&l, &t, 0) && !cholesky_new(&s, &t) &&
        !rig_track(&r, RIG_STRAIGHT, fine, 2) && !cholesky_new(&f, &r), "force at %.2f of a bay", along);
     double *u = calloc((size_t)r.dofs, sizeof *u);
-    struct wheel_place at = lumped_find(&l, 0, x);
+    struct wheel_place at = find(&l, 0, x);
     for (int j = 0; j < 4; j++)
         u[t.node_dof[at.node + j / 2] + j % 2] += F * at.shape[j];
     cholesky_solve(&s, u, u);

@@ -104,7 +104,7 @@ static void order(void)
     fastsim_begin(&o.law.grid, 10);
     order = observed_order(&f, &o, &change);
     printf("# linear law with damping: order %.3f, %.2e m rms\n", order, change);
-    ok(order > 0.9 && change < 1e-8, "first with contact damping, whose local part is a backward difference, but within 10 nm");
+    near(order, 2, 0.1, "second with contact damping too");
     tear_down(&f);
 }
 
@@ -285,14 +285,14 @@ static void refusals(void)
     refused("another wheel's table", &f, rig_options(0, 10), "radius");
     f.table[1].ctab.radius = 0.46;
     rig_table(&f.table[1], 'r', -0.05);
-    refused("sides that differ where it starts", &f, rig_options(0, 10), "sideways by");
+    refused("sides that push it away where it starts", &f, rig_options(0, 10), "no quasi-static equilibrium found");
     tear_down(&f);
 
     set_up(&f, RIG_STRAIGHT, curved, 3, RIG_COACH);
-    refused("a start in a curve", &f, rig_options(0.5, 10), "curve");
-    refused("even with the front wheelset alone", &f, rig_options(0.001, 10), "curve");
+    refused("a start in a curve without friction or flanges", &f, rig_options(0.5, 10), "no quasi-static equilibrium found");
+    refused("even with the front wheelset alone", &f, rig_options(0.001, 10), "is still pushed sideways by");
     struct passage p;
-    struct passage_options o = rig_options(0, 10);
+    struct passage_options o = rig_options(-0.001, 10);
     double residual;
     const char *why = begin(&f, &p, &o, &residual);
     ok(!why, "but not before it%s%s", why ? ": " : "", why ? why : "");

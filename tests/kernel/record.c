@@ -117,7 +117,7 @@ static void extremes(int64_t every)
     for (int b = 0; b < BOUNDS; b++) {
         double below = 0, above = 0, size = 0;
         for (int64_t i = 0; i < f.record.size[bounds[b].channel]; i++) {
-            double e = f.record.extreme[bounds[b].extreme][i];
+            double e = f.record.extremes.of[bounds[b].extreme][i];
             below = fmax(below, most[b][i] - e);
             above = fmax(above, e - most[b][i]);
             size = fmax(size, e);
@@ -127,7 +127,7 @@ static void extremes(int64_t every)
             ok(above <= 1e-7 * size, "and equals the largest");
         free(most[b]);
     }
-    ok(f.record.extreme[RUN_MIN_Q][0] <= least_q[0], "min.Q is not above a sample");
+    ok(f.record.extremes.of[RUN_MIN_Q][0] <= least_q[0], "min.Q is not above a sample");
     ok(least_q[0] >= 0, "no wheel pulls");
     tear_down(&f);
 }
@@ -150,15 +150,15 @@ static void places(void)
             at = f.passage.station;
         }
     }
-    const double *by = f.record.extreme[RUN_SLEEPER_MAX_Q];
+    const double *by = f.record.extremes.of[RUN_SLEEPER_MAX_Q];
     for (int64_t i = 0; i < f.track.sleepers; i++)
         if (by[i] > Q) {
             Q = by[i];
             where = i;
         }
     sleeper = f.track.sleeper_x[where];
-    near(f.record.extreme[RUN_MAX_Q][0], most, 0, "largest Q of the left wheel");
-    near(f.record.extreme[RUN_AT_MAX_Q][0], at, 0, "at its station");
+    near(f.record.extremes.of[RUN_MAX_Q][0], most, 0, "largest Q of the left wheel");
+    near(f.record.extremes.of[RUN_AT_MAX_Q][0], at, 0, "at its station");
     near(Q, most, 0, "is the largest by sleeper");
     ok(fabs(sleeper - at) <= 0.3 + 1e-9, "at the sleeper nearest to it, %.2f m for %.2f m", sleeper, at);
     for (int64_t i = 0; i < f.track.sleepers; i++) {
@@ -169,7 +169,7 @@ static void places(void)
     }
     near(low, -2.1, 1e-9, "no wheel before the first sleeper it passes");
     near(high, 3, 0.3 + 1e-9, "nor behind the last");
-    ok(f.record.extreme[RUN_MIN_Q][0] == 0, "it left the rail");
+    ok(f.record.extremes.of[RUN_MIN_Q][0] == 0, "it left the rail");
     tear_down(&f);
 }
 
@@ -190,7 +190,7 @@ static void groups(void)
     record_step(&f.record, &f.passage);
     double *Q = f.record.buffer[RUN_Q];
     near(Q[0], f.passage.wheel[0].Q, 0, "the first sample is the start");
-    ok(f.record.extreme[RUN_MAX_PAD][20] != 0, "pads have extremes without samples");
+    ok(f.record.extremes.of[RUN_MAX_PAD][20] != 0, "pads have extremes without samples");
     tear_down(&f);
 }
 

@@ -10,11 +10,9 @@
 #include <string.h>
 
 #include "formats/ctab.h"
-#include "formats/trk_text.h"
 #include "formats/veh_text.h"
+#include "tests/kernel/table1.h"
 #include "tools/integrate/passage.h"
-#include "tools/track/assemble.h"
-#include "tools/track/layout.h"
 #include "tools/vehicle/vehicle.h"
 
 #define RIG_STRAIGHT "data/tracks/thesis-straight.yaml"
@@ -69,15 +67,7 @@ static inline void rig_table(struct rig_table *t, char side, double g)
 /* set: [sets] "key=value". */
 static inline const char *rig_track(struct trk *t, const char *path, const char *const *set, int sets)
 {
-    struct trk_text in;
-    const char *why;
-
-    memset(t, 0, sizeof *t);
-    if ((why = trk_text_read(&in, path, (char *const *)set, sets, NULL)))
-        return why;
-    why = layout_track(t, &in);
-    trk_text_free(&in);
-    return why ? why : assemble_track(t);
+    return track_from(t, path, set, sets);
 }
 
 static inline const char *rig_vehicle(struct veh *v, const char *path, const char *const *set, int sets)

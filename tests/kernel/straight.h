@@ -7,9 +7,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "formats/trk_text.h"
-#include "tools/track/assemble.h"
-#include "tools/track/layout.h"
+#include "tests/kernel/table1.h"
 
 static const char STRAIGHT[] =
     "track:\n"
@@ -37,20 +35,15 @@ static inline const char *straight(struct trk *t, const char *const *set, int se
     char path[] = "/tmp/veksel-straight-XXXXXX";
     const int fd = mkstemp(path);
     FILE *f = fd < 0 ? NULL : fdopen(fd, "w");
-    struct trk_text in;
 
     *t = (struct trk){0};
     if (!f)
         return "no temporary file";
     fputs(STRAIGHT, f);
     fclose(f);
-    const char *why = trk_text_read(&in, path, (char *const *)set, sets, NULL);
+    const char *why = track_from(t, path, set, sets);
     unlink(path);
-    if (why)
-        return why;
-    why = layout_track(t, &in);
-    trk_text_free(&in);
-    return why ? why : assemble_track(t);
+    return why;
 }
 
 #endif

@@ -1,4 +1,4 @@
-/* The straight track of Table 1 for tests, with overrides; run from the project root. */
+/* Tracks for tests, from a track input with overrides; run from the project root. */
 #ifndef VX_TABLE1_H
 #define VX_TABLE1_H
 
@@ -7,17 +7,23 @@
 #include "tools/track/layout.h"
 
 /* set: [sets] "key=value" */
-static inline const char *table1(struct trk *t, const char *const *set, int sets)
+static inline const char *track_from(struct trk *t, const char *path, const char *const *set, int sets)
 {
     struct trk_text in;
 
     *t = (struct trk){0};
-    const char *why = trk_text_read(&in, "data/tracks/thesis-straight.yaml", (char *const *)set, sets, NULL);
+    const char *why = trk_text_read(&in, path, (char *const *)set, sets, NULL);
     if (why)
         return why;
     why = layout_track(t, &in);
     trk_text_free(&in);
     return why ? why : assemble_track(t);
+}
+
+/* The straight track of Table 1. */
+static inline const char *table1(struct trk *t, const char *const *set, int sets)
+{
+    return track_from(t, "data/tracks/thesis-straight.yaml", set, sets);
 }
 
 #endif

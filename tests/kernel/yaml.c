@@ -183,7 +183,7 @@ static void shapes(void)
     refused("track: {railpad: {stiffness: 1}, bending: {station: [0, 1], value: [1]}}",
             "text:1:43: error: bending: 2 places but 1 values");
     refused("track: {railpad: {stiffness: 1}, bending: {station: [1, 1], value: [1, 2]}}",
-            "text:1:57: error: bending: places must increase");
+            "text:1:57: error: bending: places must increase, 1 after 1");
     refused("track: {railpad: {stiffness: 1}, bending: {station: [], value: []}}", "text:1:43: error: bending: 0 places but 0 values");
     refused("track: {railpad: {stiffness: 1}, bending: {station: [0], value: [0]}}",
             "text:1:66: error: bending must be greater than 0 and at most 1e+12 N m2, not 0");

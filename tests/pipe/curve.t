@@ -89,4 +89,21 @@ awk -F, 'FNR == 1 {for (i = 1; i <= NF; i++) at[$i] = i; next}
 between "$(sed -n 1p "$dir/sway")" -50.54 -49.54 "carbody outside the chord of its pivots, mm"
 between "$(sed -n 2p "$dir/sway")" -12.12 -11.88 "roll of the carbody, mrad"
 between "$(sed -n 3p "$dir/sway")" -3.93 -3.85 "roll of the first bogie, mrad"
+
+# Started in the curve, it has at once what it settled to: every Q and Y of the first 10 ms against the means over 400 to 500 m.
+vxrun -v --set start=400 --set end=410 --set sampling=1000 -o "$dir/s.run" "$dir/curve.yaml" 2>"$dir/err"
+ok $? "starts in the curve"
+grep 'at the start' "$dir/err" | sed 's/^/# /'
+columns "$dir/s.run" station wheel.Q wheel.Y | awk -F, 'NR == 2' >"$dir/first"
+columns "$dir/c.run" station wheel.Q wheel.Y | awk -F, 'NR == FNR {for (i = 2; i <= 17; i++) first[i] = $i; next}
+    $1 > 400 {n++; for (i = 2; i <= 17; i++) mean[i] += $i}
+    END {
+        for (i = 2; i <= 17; i++) {
+            off = first[i]/(mean[i]/n) - 1
+            if (off < 0) off = -off
+            if (off > most) most = off
+        }
+        printf "%.5f\n", most
+    }' "$dir/first" FS=, - >"$dir/off"
+between "$(cat "$dir/off")" 0 0.005 "largest difference of a wheel's Q or Y at the start from that it settles to"
 done_testing

@@ -96,4 +96,10 @@ refuses "is of another vehicle" "another vehicle" $state --vehicle "$dir/heavy.v
 refuses "a .run file where a .state file is wanted" "a run" --start "$dir/a.run" "$case"
 head -c 20000 "$dir/a.state" >"$dir/cut.state"
 refuses "cut.state: truncated" "a state cut short" --start "$dir/cut.state" "$case"
+refuses "under wheelset 1 the left rail's irregularity is off that of the state by 1 mm" "a dip under the train" $state \
+    --set 'dip=[{from: 19.5, length: 1, depth: 1e-3, rail: left}]' "$case"
+vxrun $state --set 'dip=[{from: 30, length: 1, depth: 1e-3}]' -o "$dir/ahead.run" "$case" 2>"$dir/err"
+ok $? "but one ahead of it is not"
+grep -q "the case is not that of the state" "$dir/err"
+ok $? "only told"
 done_testing

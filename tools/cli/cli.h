@@ -42,6 +42,9 @@ struct cli_program {
 /* Reads the options; returns the operands, *operands of them, between least and most; exits 2 on misuse, 0 after -h. */
 char **cli_begin(const struct cli_program *p, int argc, char **argv, int least, int most, int *operands);
 
+/* Misuse where an option was given that this form of the usage, from 0, has not; `what` it is that asks for the form, as "--modes". */
+void cli_form(const struct cli_program *p, int form, const char *what);
+
 /* The value of an option "key=number,key=number" into its items[n], within lo..hi, or misuse. */
 struct cli_item { const char *key; double *value; double lo, hi; int needed; };
 void cli_items(const char *option, const char *text, const struct cli_item *item, int n);

@@ -41,6 +41,7 @@ void cli_remember(int argc, char **argv)
 
     for (int i = 1; i < argc; i++)
         room += 4 * strlen(argv[i]) + 3;
+    cli_forget();
     to = command = calloc(room, 1);
     if (!command)
         cli_die(REASON_MEMORY);

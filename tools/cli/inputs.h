@@ -16,11 +16,15 @@ struct inputs_options {
     struct cli_list set;             /* KEY=VALUE of the case */
 };
 
+/* In the order they are read in; a prescribed force wants the first alone. */
+enum { INPUT_TRACK, INPUT_VEHICLE, INPUT_LEFT, INPUT_RIGHT, INPUT_CREEP, INPUTS_MOST };
+
 struct inputs {
     struct case_text text;
     uint64_t hash;                   /* of the case */
-    int files;                       /* 1 with a prescribed force, else 4, and one of creep forces */
-    struct vxf file[5];              /* track, vehicle, left and right table, creep forces */
+    int files;                       /* how many of the inputs there are, from the first on */
+    struct vxf file[INPUTS_MOST];
+    char *name[INPUTS_MOST];         /* of the files */
     struct trk track;
     struct veh vehicle;
     struct ctab table[2];
@@ -28,8 +32,19 @@ struct inputs {
     struct irregularity measured;    /* where the case names a file of it */
 };
 
-/* Reads the case and all it names, or dies.  A file named by the case lies beside the case. */
-void inputs_read(struct inputs *in, const char *path, const struct inputs_options *opt);
+/* Reads the case and all it names, or dies.  A file named by the case lies beside the case.  What `kept`, which may be NULL, holds of the same name is
+ * taken from there; it must outlive in. */
+void inputs_read(struct inputs *in, const char *path, const struct inputs_options *opt, const struct inputs *kept);
+
+/* Whether a train runs: else a prescribed force stands for it. */
+int inputs_have_train(const struct inputs *in);
+
+/* Whether creep forces come from a table. */
+int inputs_have_creep(const struct inputs *in);
+
+/* Histories and hashes of all of them into a header. */
+void inputs_put(const struct inputs *in, struct vxf_out *o);
+
 void inputs_release(struct inputs *in);
 
 #endif

@@ -11,6 +11,8 @@
 
 enum { OPTIONS_MAX = 48, FIRST_LONG = 256 };
 
+static unsigned char given[OPTIONS_MAX];    /* by the last command line, as in the program's table */
+
 static int count_options(const struct cli_option *option)
 {
     int n = 0;
@@ -161,10 +163,12 @@ char **cli_begin(const struct cli_program *p, int argc, char **argv, int least, 
     cli_name = p->name;
     cli_failure = p->failure ? p->failure : EXIT_FAILURE;
     cli_remember(argc, argv);
+    memset(given, 0, sizeof given);
     setvbuf(stdout, NULL, _IOFBF, 1 << 20);
     refuse_abbreviations(p->option, argc, argv);
     build(p->option, n, letters, longs);
     opterr = 0;
+    optind = 0;                  /* anew: a batch has a command for each line */
     while ((c = getopt_long(argc, argv, letters, longs, NULL)) != -1) {
         int k = c - FIRST_LONG;
         if (c == 'h')
@@ -179,6 +183,7 @@ char **cli_begin(const struct cli_program *p, int argc, char **argv, int least, 
             if (is_short(&p->option[j]) && p->option[j].name[0] == c)
                 k = j;
         take(&p->option[k], optarg);
+        given[k] = 1;
     }
     *operands = argc - optind;
     if (*operands < least)
@@ -186,4 +191,37 @@ char **cli_begin(const struct cli_program *p, int argc, char **argv, int least, 
     if (*operands > most)
         cli_misuse("one operand too many: %s (-h shows the usage)", argv[optind + most]);
     return argv + optind;
+}
+
+/* Where the form begins, a line with the program's name; what goes on in the next line is indented. */
+static const char *form_text(const struct cli_program *p, int form)
+{
+    const char *at = p->usage;
+
+    for (; form > 0; form--)
+        do
+            at = strchr(at, '\n') + 1;
+        while (*at == ' ');
+    return at;
+}
+
+static int form_has(const struct cli_program *p, int form, const struct cli_option *o)
+{
+    const char *from = form_text(p, form), *name = spelled(o), *end = from;
+    const size_t n = strlen(name);
+
+    do
+        end += strcspn(end, "\n") + 1;
+    while (end[-1] && *end == ' ');
+    for (const char *at = from; (at = strstr(at, name)) && at < end; at++)
+        if (strchr(" [", at[-1]) && strchr(" ]\n", at[n]))
+            return 1;
+    return 0;
+}
+
+void cli_form(const struct cli_program *p, int form, const char *what)
+{
+    for (int k = 0; p->option[k].name; k++)
+        if (given[k] && !form_has(p, form, &p->option[k]))
+            cli_misuse("%s does not go with %s", spelled(&p->option[k]), what);
 }

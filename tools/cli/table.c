@@ -27,16 +27,31 @@ void cli_header(const struct column *c, int n)
     putchar('\n');
 }
 
-void cli_row(const struct column *c, int n, const double *value)
+static void put_value(const struct column *c, double value, const char *before)
 {
     char title[TITLE];
+    int width = column_title(c, title);
 
-    for (int i = 0; i < n; i++) {
-        int width = column_title(&c[i], title);
-        if (c[i].unit)
-            printf("%s%*.*g", i ? " " : "", width, c[i].digits, value[i]);
-        else
-            printf("%s%*c", i ? " " : "", width, (int)value[i]);
-    }
+    if (c->unit)
+        printf("%s%*.*g", before, width, c->digits, value);
+    else
+        printf("%s%*c", before, width, (int)value);
+}
+
+void cli_row(const struct column *c, int n, const double *value)
+{
+    for (int i = 0; i < n; i++)
+        put_value(&c[i], value[i], i ? " " : "");
     putchar('\n');
+}
+
+void cli_table(const struct column *c, int n, int64_t rows, const double *x, const double *value)
+{
+    cli_header(c, n);
+    for (int64_t i = 0; i < rows; i++) {
+        put_value(&c[0], x[i], "");
+        for (int k = 1; k < n; k++)
+            put_value(&c[k], value[i * (n - 1) + k - 1], " ");
+        putchar('\n');
+    }
 }

@@ -235,11 +235,48 @@ static void turn(struct contact *o, double yaw, double roll)
     row[CTAB_HEIGHT_ROLL] = o->height_roll;
 }
 
+struct ctab contact_turn(const struct ctab *t)
+{
+    struct ctab o = *t;
+
+    o.side = t->side == 'l' ? 'r' : 'l';
+    o.rail_position = -t->rail_position;
+    o.wheel_position = -t->wheel_position;
+    o.turned = t;
+    o.store = NULL;
+    o.row_store = o.rest_store = NULL;
+    o.body_store = NULL;
+    return o;
+}
+
+/* Lateral and longitudinal places and slopes change their sign; what yaw does along them does not. */
+static void turn_back(struct contact *c)
+{
+    static const enum ctab_column sign[] = {CTAB_HEIGHT_U, CTAB_HEIGHT_S, CTAB_HEIGHT_ROLL, CTAB_RAIL_Y, CTAB_WHEEL_Y, CTAB_X, CTAB_ANGLE};
+
+    for (size_t i = 0; i < sizeof sign / sizeof *sign; i++)
+        c->row[sign[i]] = -c->row[sign[i]];
+    c->height_u = -c->height_u;
+    c->height_s = -c->height_s;
+    c->height_roll = -c->height_roll;
+}
+
+static int lookup_turned(const struct ctab *t, double s, double yaw, double u, double roll, struct contact *c)
+{
+    const int n = contact_lookup(t, -s, yaw, -u, -roll, c);
+
+    for (int i = 0; i < n; i++)
+        turn_back(&c[i]);
+    return n;
+}
+
 int contact_lookup(const struct ctab *t, double s, double yaw, double u, double roll, struct contact *c)
 {
     struct cell cell;
     int n = 0;
 
+    if (t->turned)
+        return lookup_turned(t->turned, s, yaw, u, roll, c);
     if (!(u >= t->u[0] && u <= t->u[t->us - 1]))
         return -1;
     double held = yaw < t->yaw[0] ? t->yaw[0] : yaw > t->yaw[t->yaws - 1] ? t->yaw[t->yaws - 1] : yaw;

@@ -24,6 +24,10 @@ struct contact {
  * first to touch first.  Returns how many, or -1 where u is beyond the table. */
 int contact_lookup(const struct ctab *t, double s, double yaw, double u, double roll, struct contact *c);
 
+/* The table of the other side in a track turned half way round about z, x' = -x and y' = -y: what contact_lookup finds in it is turned likewise.  t must
+ * outlive it; it owns nothing. */
+struct ctab contact_turn(const struct ctab *t);
+
 /* The columns that a time step does not need. */
 void contact_complete(const struct ctab *t, struct contact *c);
 

@@ -149,6 +149,7 @@ struct chart_series *chart_add_series(struct chart *c, struct chart_panel *p, co
     if (!s)
         return &c->spare_series;
     *s = (struct chart_series){.label = label, .n = n, .x = x, .y = y, .width = 1.2, .size = 5};
+    s->mark = n == 1 ? CANVAS_DISC : CANVAS_NO_MARK;         /* no line shows one point */
     s->colour = chart_colour(p->colours++);
     *p->series_end = s;
     p->series_end = &s->next;

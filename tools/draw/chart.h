@@ -27,6 +27,7 @@ struct chart_axis {
     double lo, hi;                         /* SI; where equal, from the data */
     double step;                           /* between the labels, as shown; 0 is chosen */
     int log;
+    int whole;                             /* counts something: its labels are whole numbers */
     int down;                              /* grows downwards, as z does */
 };
 

@@ -48,7 +48,7 @@ static const char *make_fit(struct chart *c, int n, const struct figure_input *i
     const char *why = add_receptances(c, n - 1, in + 1, 0, &quantity);
 
     (void)o;
-    return why ? why : receptance_add_measured(c, in[0].table, quantity);
+    return why ? why : receptance_add_measured(c, in[0].table, quantity, in[0].label);
 }
 
 static const char *make_sections(struct chart *c, int n, const struct figure_input *in, const struct figure_options *o)
@@ -257,6 +257,7 @@ const struct figure figures[] = {
     {"table", "text", "columns of numbers over the first, a panel for each unit", make_table, NULL},
     {"vertical", "run ...", "vertical force Q of --wheelset, left and right", NULL, runs_vertical},
     {"lateral", "run ...", "lateral force Y of --wheelset, left and right", NULL, runs_lateral},
+    {"wheelset", "run ...", "yaw, lateral displacement and contacts of --wheelset", NULL, runs_wheelset},
     {"pads", "run ...", "force of the railpads on each --sleeper", NULL, runs_pads},
     {"ballast", "run ...", "force on the ballast under each --sleeper", NULL, runs_ballast},
     {"max-pads", "run ...", "largest force of each railpad, over sleeper number", NULL, runs_max_pads},

@@ -72,7 +72,7 @@ static void scale_axis(struct scale *s, const struct chart_axis *a, double lo, d
     hi *= factor;
     if (widen)
         air(&lo, &hi, a, most);
-    scale_set(s, lo, hi, a->log, a->step, most);
+    scale_set(s, lo, hi, a->log, a->whole ? fmax(scale_step(hi - lo, most), 1) : a->step, most);
 }
 
 /* A metre of y as long as a metre of x: the shorter range grows about its middle. */

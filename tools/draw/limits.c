@@ -17,7 +17,7 @@ static void settle(const struct chart_axis *a, double *lo, double *hi)
         *lo = a->log;
         *hi = a->log ? 10 : 1;
     } else if (*lo == *hi) {
-        double half = *lo == 0 ? 1 : 0.1 * fabs(*lo);
+        double half = a->whole || *lo == 0 ? 1 : 0.1 * fabs(*lo);
         *lo -= half;
         *hi += half;
     }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 static const double clear = 4, inside = 2;   /* pt, from the point to its words, from them to the frame */
+enum { PLACES = 18 };                        /* tried, near ones first */
 static const int word_cost = 1000, frame_cost = 500;   /* against one for each piece of line covered */
 
 /* The straight piece from a to b meets the box (Liang and Barsky 1984). */
@@ -54,11 +55,12 @@ static int cost(const struct layout *l, const struct chart *c, int p, const stru
     return sum;
 }
 
-/* The box of words w wide and h high about (x, y), pushed out in the k-th of twelve directions. */
+/* The box of words w wide and h high about (x, y), pushed out in the k-th direction. */
 static struct box aside(double x, double y, double w, double h, double away, int k)
 {
-    static const double place[12][3] = {{0, -1, 1}, {0, 1, 1},  {1, 0, 1},  {-1, 0, 1}, {1, -1, 1},  {-1, -1, 1},
-                                        {1, 1, 1},  {-1, 1, 1}, {0, -1, 4}, {0, 1, 4},  {1, -1, 3}, {-1, -1, 3}};
+    static const double place[PLACES][3] = {{0, -1, 1}, {0, 1, 1},  {1, 0, 1},  {-1, 0, 1}, {1, -1, 1},  {-1, -1, 1},
+                                        {1, 1, 1},  {-1, 1, 1}, {0, -1, 4}, {0, 1, 4},  {1, -1, 3},  {-1, -1, 3},
+                                            {1, 1, 3},  {-1, 1, 3}, {0, -1, 8}, {0, 1, 8},  {1, -1, 6},  {-1, -1, 6}};
     double dx = place[k][0] * (w / 2 + away * place[k][2]), dy = place[k][1] * (h / 2 + away * place[k][2]);
 
     return (struct box){x + dx - w / 2, y + dy - h / 2, w, h};
@@ -75,7 +77,7 @@ static void place_note(const struct layout *l, const struct chart *c, int p, con
     if (!isfinite(px[0]) || !isfinite(px[1]))
         return;
     boxes[placed] = (struct box){px[0] - note->across * w, px[1] - (1 - note->up) * h, w, h};
-    for (int k = 0; k < 12 && !note->fixed; k++) {
+    for (int k = 0; k < PLACES && !note->fixed; k++) {
         struct box r = aside(px[0], px[1], w, h, clear * l->point, k);
         int covers = cost(l, c, p, &r, placed, boxes);
         if (k == 0 || covers < least) {

@@ -109,7 +109,7 @@ static void add_coherence(struct chart *c, const struct frf *r, unsigned colour)
         struct chart_panel *p = chart_add_panel(c, "coherence", 1);
         p->y.lo = 0;
         p->y.hi = 1.05;
-        p->share = 0.6;
+        p->share = 1;
     }
     chart_add_series(c, &c->panel[2], NULL, r->n, r->frequency, r->coherence)->colour = colour;
 }
@@ -131,7 +131,7 @@ const char *receptance_add(struct chart *c, const struct frf *r, const char *lab
     return c->why;
 }
 
-const char *receptance_add_measured(struct chart *c, const struct columns *t, int quantity)
+const char *receptance_add_measured(struct chart *c, const struct columns *t, int quantity, const char *label)
 {
     double *y[2] = {chart_numbers(c, t->rows), chart_numbers(c, t->rows)};
 
@@ -142,7 +142,7 @@ const char *receptance_add_measured(struct chart *c, const struct columns *t, in
     for (int64_t i = 0; i < t->rows; i++)
         polar(quantity, t->value[1][i], t->value[2][i], &y[0][i], &y[1][i]);
     for (int k = 0; k < 2; k++) {
-        struct chart_series *s = chart_add_series(c, &c->panel[k], k ? NULL : "measured", t->rows, t->value[0], y[k]);
+        struct chart_series *s = chart_add_series(c, &c->panel[k], k ? NULL : label ? label : "measured", t->rows, t->value[0], y[k]);
         s->colour = CHART_BLACK;
         s->width = 0;
         s->mark = CANVAS_DISC;

@@ -14,8 +14,8 @@ void receptance_begin(struct chart *c, int quantity);
  * the values by Hermite interpolation, they are added in grey. */
 const char *receptance_add(struct chart *c, const struct frf *r, const char *label);
 
-/* Adds a table of frequency, real and imaginary part as dots; it must live until the chart is drawn. */
-const char *receptance_add_measured(struct chart *c, const struct columns *t, int quantity);
+/* Adds a table of frequency, real and imaginary part as dots; it must live until the chart is drawn; label NULL: "measured". */
+const char *receptance_add_measured(struct chart *c, const struct columns *t, int quantity, const char *label);
 
 /* Peaks of a [n]: maxima that fall by `ratio` on both sides before a higher one.  Indices in peak [most]; their number. */
 int receptance_peaks(int64_t n, const double *a, double ratio, int most, int64_t *peak);

@@ -1,5 +1,7 @@
 #include "tools/draw/runs.h"
 
+#include <math.h>
+
 #define KMH 3.6 /* km/h in a m/s */
 
 static const char *const side_name[] = {"left", "right"};
@@ -74,12 +76,68 @@ const char *runs_lateral(struct chart *c, const struct run *r, const char *label
     return wheel_force(c, r, label, choice->wheelset, RUN_Y, "Y");
 }
 
+/* A line of a panel: element `index` of a channel, NaN where `load`, of as many records, is 0.  Runs may lie on one another: dashes. */
+static void add_motion(struct chart *c, const struct run *r, const char *label, struct chart_panel *panel, const double *x, const double *load,
+                       enum run_channel ch, int64_t index)
+{
+    enum canvas_dash dash = place_dash[panel->colours % 3];
+    double *y = channel(c, r, ch, index);
+
+    for (int64_t i = 0; y && load && i < r->records; i++)
+        y[i] = load[i] > 0 ? y[i] : NAN;
+    if (y)
+        chart_add_series(c, panel, label, r->records, x, y)->dash = dash;
+}
+
+const char *runs_wheelset(struct chart *c, const struct run *r, const char *label, const struct runs_choice *choice)
+{
+    int64_t w = choice->wheelset - 1;
+
+    if (w >= r->wheelsets)
+        return reason("wheelset %lld: the train has %lld", (long long)w + 1, (long long)r->wheelsets);
+    set_title(c, r, label, "Wheelset");
+    if (c->panels == 0) {
+        c->x.label = chart_words(c, "station of wheelset %lld (m)", (long long)w + 1);
+        chart_add_panel(c, "yaw (mrad)", 1e3);
+        chart_add_panel(c, "lateral (mm)", 1e3);
+        for (int side = 0; side < 2; side++)
+            chart_add_panel(c, chart_words(c, "on %s wheel (mm)", side_name[side]), 1e3);
+        for (int side = 0; side < 2; side++)
+            chart_add_panel(c, chart_words(c, "on %s rail (mm)", side_name[side]), 1e3);
+    }
+    double *x = stations(c, r, r->wheelset_x[w]);
+    if (!x)
+        return c->why;
+    add_motion(c, r, label, &c->panel[0], x, NULL, RUN_BODY_Q, 6 * r->wheelset[w] + 5);
+    add_motion(c, r, label, &c->panel[1], x, NULL, RUN_BODY_Q, 6 * r->wheelset[w] + 1);
+    for (int side = 0; side < 2; side++) {
+        int64_t first = 3 * (2 * w + side);
+        const double *load = channel(c, r, RUN_N, first);
+        add_motion(c, r, label, &c->panel[2 + side], x, load, RUN_CONTACT_WHEEL_Y, first);
+        add_motion(c, r, label, &c->panel[4 + side], x, load, RUN_CONTACT_Y, first);
+    }
+    return c->why;
+}
+
 static int64_t find_sleeper(const struct run *r, int64_t number)
 {
     for (int64_t k = 0; k < r->sleepers; k++)
         if (r->sleeper_number[k] == number)
             return k;
     return -1;
+}
+
+/* The numbers of the sleepers to show of a run, and how many. */
+static int sleepers_shown(const struct run *r, const struct runs_choice *choice, int64_t number[CHART_PANELS])
+{
+    int n = 0;
+
+    for (int k = 0; k < choice->sleepers; k++)
+        if (choice->asked || find_sleeper(r, choice->sleeper[k]) >= 0)
+            number[n++] = choice->sleeper[k];
+    if (n == 0 && r->sleepers > 0)
+        number[n++] = r->sleeper_number[r->sleepers / 2];
+    return n;
 }
 
 /* The line of one part out of `parts`: with several runs in a chart colours tell them apart, and dashes the parts. */
@@ -98,17 +156,23 @@ static void add_part(struct chart *c, struct chart_panel *panel, const char *lab
 static const char *at_sleepers(struct chart *c, const struct run *r, const char *label, const struct runs_choice *choice,
                                enum run_channel ch, const char *const *part, const enum canvas_dash *dash, int parts)
 {
+    int64_t number[CHART_PANELS];
+    const int shown = sleepers_shown(r, choice, number);
+
     if (c->panels == 0) {
         c->alike = 1;
         c->x.label = "station of the front wheelset (m)";
-        for (int k = 0; k < choice->sleepers; k++)
-            chart_add_panel(c, chart_words(c, "sleeper %lld (kN)", (long long)choice->sleeper[k]), 1e-3);
+        for (int k = 0; k < shown; k++)
+            chart_add_panel(c, chart_words(c, "sleeper %lld (kN)", (long long)number[k]), 1e-3);
     }
+    if (c->panels != shown)
+        return "the runs do not have the same sleepers: --sleeper names some";
     double *x = stations(c, r, 0);
-    for (int k = 0; x && k < choice->sleepers; k++) {
-        int64_t sleeper = find_sleeper(r, choice->sleeper[k]);
+    for (int k = 0; x && k < shown; k++) {
+        int64_t sleeper = find_sleeper(r, number[k]);
         if (sleeper < 0)
-            return reason("no sleeper has number %lld", (long long)choice->sleeper[k]);
+            return reason("no sleeper has number %lld: they are %lld to %lld", (long long)number[k], (long long)r->sleeper_number[0],
+                          (long long)r->sleeper_number[r->sleepers - 1]);
         for (int p = 0; p < parts; p++) {
             double *force = channel(c, r, ch, p * r->sleepers + sleeper);
             if (force)
@@ -140,6 +204,7 @@ static const char *along(struct chart *c, const struct run *r, const char *label
         return reason("the run holds no %s: it is not complete", run_extremes[what].name);
     if (c->panels == 0) {
         c->x.label = "sleeper number";
+        c->x.whole = 1;
         chart_add_panel(c, name, 1e-3);
     }
     for (int64_t k = 0; number && k < r->sleepers; k++)

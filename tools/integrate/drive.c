@@ -1,6 +1,6 @@
 #include "tools/integrate/drive.h"
+#include "formats/random.h"
 #include "formats/reason.h"
-#include "tools/integrate/random.h"
 
 #include <math.h>
 #include <string.h>

@@ -24,6 +24,9 @@ void energy_free(struct energy *e)
 /* ---- stored ---- */
 
 /* x' A x/2 */
+/* Less than that is no loss to be measured by. */
+#define NOTHING 1e-6 /* J */
+
 static double half_square(const struct trk *t, const double *Ax, const double *x)
 {
     double sum = 0;
@@ -45,6 +48,9 @@ static double descended(const struct trk *t, const double *u, double g)
             for (int64_t p = t->Ap[j]; p < t->Ap[j + 1]; p++)
                 sum += t->Mx[p] * u[t->Ai[p]] * g;
         }
+    for (int64_t i = 0; i < t->check_nodes; i++)
+        for (int64_t p = t->Ap[t->check_dof[i]]; p < t->Ap[t->check_dof[i] + 1]; p++)
+            sum += t->Mx[p] * u[t->Ai[p]] * g;
     for (int64_t i = 0; i < t->sleepers; i++)
         sum += t->sleeper_mass[i] * u[t->sleeper_dof[i]] * g;
     return sum;
@@ -65,17 +71,9 @@ static double stored(const struct way *w)
 void energy_begin(struct energy *e, const struct way *w)
 {
     memset(e->lost, 0, (size_t)e->n * sizeof *e->lost);
-    e->work = 0;
+    e->work = e->step = 0;
+    e->at = e->of = 0;
     e->begun = e->counted ? stored(w) : 0;
-}
-
-double energy_end(const struct energy *e, const struct way *w, double *left, double *lost)
-{
-    *lost = 0;
-    for (int64_t i = 0; i < e->n; i++)
-        *lost += e->lost[i];
-    *left = stored(w) - e->begun;
-    return fabs(e->work - *left - *lost) / *lost;
 }
 
 /* ---- work and loss ---- */
@@ -85,9 +83,12 @@ void energy_work(struct energy *e, const struct way *w, int rail, const struct w
 {
     const struct newmark *m = &w->newmark;
 
-    if (w->scheme == WAY_EXPLICIT)
-        e->work += w->step * F_now * lumped_sample(&w->lumped, rail, now, now->shape, w->lumped.v);
-    else
+    if (w->scheme == WAY_EXPLICIT) {
+        const double done = w->step * F_now * lumped_sample(&w->lumped, rail, now, now->shape, w->lumped.v);
+        e->step = done + (e->of == e->at ? e->step : 0);
+        e->of = e->at;
+        e->work += done;
+    } else
         e->work += 0.5 * (F_before * newmark_moved(m, rail, before, before->shape) + F_now * newmark_moved(m, rail, now, now->shape));
 }
 
@@ -110,18 +111,64 @@ CLONES static void lose_in_ballast(int64_t n, double h, const double *restrict v
     }
 }
 
-void energy_lose(struct energy *e, const struct way *w)
+/* F.(u - u0) */
+static double work_of(const struct newmark *m, const struct head_place *p, const struct head_force *F)
+{
+    return F->Y * (direction_sample(&p->y, m->u) - direction_sample(&p->y, m->u0)) +
+           F->M * (direction_sample(&p->twist, m->u) - direction_sample(&p->twist, m->u0));
+}
+
+void energy_work_head(struct energy *e, const struct way *w, const struct head_place *before, const struct head_force *F_before,
+                      const struct head_place *now, const struct head_force *F_now)
+{
+    e->work += 0.5 * (work_of(&w->newmark, before, F_before) + work_of(&w->newmark, now, F_now));
+}
+
+static void lose_lumped(const struct way *w, double *lost)
 {
     const struct lumped *l = &w->lumped;
     const int64_t k = l->stride, n = w->track->sleepers;
     const double *vz = l->v + LUMPED_Z * k, *vr = l->v + LUMPED_ROLL * k;
 
-    if (w->scheme == WAY_IMPLICIT) {
-        newmark_lose(&w->newmark, e->lost);
-        return;
-    }
     for (int s = 0; s < 2; s++)
-        lose_in_pads(n, w->step, l->v + (s ? LUMPED_WR : LUMPED_WL) * k, vz, vr, l->arm[s], l->pad_c[s], e->lost);
+        lose_in_pads(n, w->step, l->v + (s ? LUMPED_WR : LUMPED_WL) * k, vz, vr, l->arm[s], l->pad_c[s], lost);
     for (int s = 0; s < 3; s++)
-        lose_in_ballast(n, w->step, vz, vr, l->ballast_y[s], l->ballast_c[s], e->lost);
+        lose_in_ballast(n, w->step, vz, vr, l->ballast_y[s], l->ballast_c[s], lost);
+}
+
+void energy_lose(struct energy *e, struct way *w)
+{
+    if (w->scheme == WAY_IMPLICIT)
+        newmark_lose(&w->newmark, e->lost);
+    else
+        lose_lumped(w, e->lost);
+    e->at++;
+}
+
+/* ---- the account ---- */
+
+static double sum_of(int64_t n, const double *x)
+{
+    double sum = 0;
+
+    for (int64_t i = 0; i < n; i++)
+        sum += x[i];
+    return sum;
+}
+
+/* Sums over the steps of a run from rest count its last instant in full, where integrals, by trapezia, have half of it. */
+double energy_end(const struct energy *e, const struct way *w, double *work, double *left, double *lost)
+{
+    *work = e->work;
+    *lost = sum_of(e->n, e->lost);
+    *left = stored(w) - e->begun;
+    if (w->scheme == WAY_EXPLICIT) {
+        double *last = calloc((size_t)e->n, sizeof *last);
+        if (last)
+            lose_lumped(w, last);
+        *work -= 0.5 * e->step;
+        *lost -= last ? 0.5 * sum_of(e->n, last) : 0;
+        free(last);
+    }
+    return fabs(*work - *left - *lost) / fmax(*lost, NOTHING);
 }

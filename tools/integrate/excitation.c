@@ -13,9 +13,9 @@ enum { KNOTS_A_WAVE = 40, KNOTS_A_SPACING = 4, KNOT = 8, KNOTS_MOST = 4000000 };
 /* 1 - cos from 0 at `from` to 1 at from + fade. */
 static double faded(const struct excitation_options *o, double x, double *slope)
 {
-    const double t = (x - o->from) / o->fade;
+    const double t = (o->trailing ? o->to - x : x - o->from) / o->fade;
 
-    *slope = t > 0 && t < 1 ? 0.5 * M_PI / o->fade * sin(M_PI * t) : 0;
+    *slope = t > 0 && t < 1 ? (o->trailing ? -0.5 : 0.5) * M_PI / o->fade * sin(M_PI * t) : 0;
     return t <= 0 ? 0 : t >= 1 ? 1 : 0.5 * (1 - cos(M_PI * t));
 }
 
@@ -175,11 +175,12 @@ static void add_joint(const struct case_joint *j, double s, struct excitation_at
 }
 
 /* The flat comes to the rail at f->at and once a turn from there.  Fresh, a chord of the wheel: the wheel tips over its first edge and then
- * about its last, so its centre falls by (l/2 - |x|)^2/(2 r).  Worn: depth/2 (1 + cos 2 pi x/l), the depth that of the chord, l^2/(8 r). */
+ * about its last, so its centre falls by (l/2 - |x|)^2/(2 r).  Worn: depth/2 (1 + cos 2 pi x/l), the depth half of the chord's, l^2/(16 r), of
+ * which the edges have been rolled away. */
 static void add_flat(const struct case_flat *f, double s, double r, struct excitation_at *at)
 {
     const double x = remainder(s - f->at, 2 * M_PI * r), edge = 0.5 * f->length - fabs(x), k = 2 * M_PI / f->length;
-    const double depth = f->length * f->length / (8 * r);
+    const double depth = f->length * f->length / (16 * r);
 
     if (edge <= 0)
         return;
@@ -192,7 +193,7 @@ static void add_flat(const struct case_flat *f, double s, double r, struct excit
     }
 }
 
-void excitation_find(const struct excitation *e, double s, int64_t i, int side, double r, struct excitation_at *at)
+static void find(const struct excitation *e, double s, int64_t i, int side, double r, struct excitation_at *at)
 {
     const struct excitation_options *o = &e->o;
 
@@ -208,4 +209,16 @@ void excitation_find(const struct excitation *e, double s, int64_t i, int side, 
     for (int64_t k = 0; k < o->flats; k++)
         if (o->flat[k].wheelset == i + 1 && is_on(o->flat[k].side, side))
             add_flat(&o->flat[k], s, r, at);
+}
+
+/* Turned half way round about z, heights stay, lines and slopes of heights change their sign, slopes of lines change it twice. */
+void excitation_find(const struct excitation *e, double s, int64_t i, int side, double r, struct excitation_at *at)
+{
+    if (!e->o.trailing) {
+        find(e, s, i, side, r, at);
+        return;
+    }
+    find(e, -s, i, !side, r, at);
+    at->z_slope = -at->z_slope;
+    at->y = -at->y;
 }

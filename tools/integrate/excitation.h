@@ -19,7 +19,8 @@ struct excitation_options {
     struct spectrum_waves waves;               /* shortest 0 for none */
     double scale;                              /* 1, of the irregularity */
     double from, to;                           /* m, between which the irregularity is wanted; none before `from` */
-    double fade;                               /* m, > 0, over which it comes up from `from` on */
+    double fade;                               /* m, > 0, over which it comes up from `from` on; trailing, from `to` back */
+    int trailing;                              /* stations asked for are times -1, sides and axes turned: facing.h */
 };
 
 /* Geometry of both rails at even stations, cubic between them. */

@@ -1,196 +1,7 @@
 /* Everything per step runs over arrays of `stride` numbers: elements along a rail, pads, ballast, accelerations. */
 #include "tools/integrate/lumped.h"
-#include "formats/reason.h"
 #include "tools/contact/clones.h"
-#include "tools/track/rails.h"
-
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-
-enum { LANES = 8 };
-
-/* ---- setting up ---- */
-
-/* The next array of a store made in two passes: the first counts, the second hands out. */
-struct room {
-    double *base;
-    size_t used;
-};
-
-static double *take(struct room *r, size_t n)
-{
-    double *p = r->base ? r->base + r->used : NULL;
-
-    r->used += n;
-    return p;
-}
-
-static void place_arrays(struct lumped *l, struct room *r)
-{
-    size_t n = (size_t)l->stride, all = LUMPED_PARTS * n;
-
-    l->u = take(r, all);
-    l->v = take(r, all);
-    l->a = take(r, all);
-    l->before = take(r, all);
-    l->inverse = take(r, all);
-    for (int s = 0; s < 2; s++) {
-        l->pad[s] = take(r, n);
-        l->k12[s] = take(r, n);
-        l->k6[s] = take(r, n);
-        l->k4[s] = take(r, n);
-        l->taper_6[s] = take(r, n);
-        l->taper_near[s] = take(r, n);
-        l->taper_far[s] = take(r, n);
-        l->shear[s] = take(r, n + LANES);
-        l->near[s] = take(r, n + LANES);
-        l->far[s] = take(r, n + LANES);
-        l->pad_k[s] = take(r, n);
-        l->pad_c[s] = take(r, n);
-        l->arm[s] = take(r, n);
-    }
-    for (int s = 0; s < 3; s++) {
-        l->ballast[s] = take(r, n);
-        l->ballast_k[s] = take(r, n);
-        l->ballast_c[s] = take(r, n);
-        l->ballast_y[s] = take(r, n);
-        l->gap[s] = take(r, n);
-        l->floor[s] = take(r, n);
-    }
-}
-
-/* K = [w -c1 -w -c2; . n c1 f; . . w c2; . . . m]: what is alike at both ends into k12, k6, k4, the rest into the taper. */
-static void set_tapered(struct lumped *l, int s, int64_t i)
-{
-    double K[4][4];
-
-    beam_stiffness(&l->beam[s][i], K);
-    l->k12[s][i] = K[0][0];
-    l->k6[s][i] = -0.5 * (K[0][1] + K[0][3]);
-    l->k4[s][i] = 2 * K[1][3];
-    l->taper_6[s][i] = -0.5 * (K[0][1] - K[0][3]);
-    l->taper_near[s][i] = K[1][1] - 2 * K[1][3];
-    l->taper_far[s][i] = K[3][3] - 2 * K[1][3];
-    l->tapered[s] = 1;
-}
-
-static void set_rail(struct lumped *l, int s)
-{
-    const struct trk *t = l->track;
-    double *w = l->inverse + (s ? LUMPED_WR : LUMPED_WL) * l->stride;
-    double *p = l->inverse + (s ? LUMPED_TR : LUMPED_TL) * l->stride;
-
-    for (int64_t i = 0; i < l->n; i++) {
-        w[i] = 1 / t->rail_mass[s * l->n + i];
-        p[i] = 1 / t->rail_inertia[s * l->n + i];
-    }
-    for (int64_t i = 0; i + 1 < l->n; i++) {
-        const struct beam b = l->beam[s][i] = rails_beam(t, s, i);
-        const double EI = b.bending, L = b.length;
-        if (!(EI > 0))
-            set_tapered(l, s, i);
-        else {
-            l->k12[s][i] = 12 * EI / (L * L * L);
-            l->k6[s][i] = 6 * EI / (L * L);
-            l->k4[s][i] = 4 * EI / L;
-        }
-    }
-}
-
-/* The explicit scheme's rails: mass at the nodes alone, Euler-Bernoulli, a node above every sleeper. */
-static int is_lumped(const struct trk *t)
-{
-    int same = t->nodes == t->sleepers && t->nodes >= 2;
-
-    for (int64_t k = 0; k < TRK_RAILS * (t->nodes - 1); k++)
-        same &= t->rail_density[k] <= 0 && t->rail_rotary[k] <= 0 && t->rail_shear[k] <= 0;
-    for (int64_t k = 0; k < TRK_RAILS * t->nodes; k++)
-        same &= t->rail_mass[k] > 0 && t->rail_inertia[k] > 0;
-    return same;
-}
-
-static void set_sleepers(struct lumped *l)
-{
-    const struct trk *t = l->track;
-
-    for (int64_t i = 0; i < l->n; i++) {
-        l->inverse[LUMPED_Z * l->stride + i] = 1 / t->sleeper_mass[i];
-        l->inverse[LUMPED_ROLL * l->stride + i] = 1 / t->sleeper_inertia[i];
-        for (int s = 0; s < 2; s++) {
-            l->pad_k[s][i] = t->pad_k[s * l->n + i];
-            l->pad_c[s][i] = t->pad_c[s * l->n + i];
-            l->arm[s][i] = (s ? 0.5 : -0.5) * t->rail_spacing - t->sleeper_y[i];
-        }
-        for (int s = 0; s < 3; s++) {
-            l->ballast_k[s][i] = t->ballast_k[s * l->n + i];
-            l->ballast_c[s][i] = t->ballast_c[s * l->n + i];
-            l->ballast_y[s][i] = t->ballast_y[s * l->n + i];
-            l->gap[s][i] = t->ballast_gap[s * l->n + i];
-            const int bonded = t->ballast_state[s * l->n + i] == TRK_BONDED;
-            l->floor[s][i] = bonded ? -HUGE_VAL : 0;
-            l->pushes[s] |= !bonded;
-        }
-    }
-}
-
-const char *lumped_new(struct lumped *l, const struct trk *t, double gravity)
-{
-    struct room room = {0};
-
-    *l = (struct lumped){.track = t, .n = t->sleepers, .gravity = gravity};
-    l->stride = (t->sleepers + LANES - 1) / LANES * LANES;
-    if (!is_lumped(t))
-        return "the explicit scheme wants lumped Euler-Bernoulli rails with one rail node above every sleeper: mass_model: lumped, beam: euler, "
-               "elements_per_bay: 1";
-    place_arrays(l, &room);
-    if (!(room.base = l->store = calloc(room.used, sizeof *l->store)))
-        return REASON_MEMORY;
-    room.used = 0;
-    place_arrays(l, &room);
-    l->beam[0] = calloc(2 * (size_t)l->n, sizeof *l->beam[0]);
-    if (!l->beam[0]) {
-        lumped_free(l);
-        return REASON_MEMORY;
-    }
-    l->beam[1] = l->beam[0] + l->n;
-    for (int s = 0; s < 2; s++)
-        set_rail(l, s);
-    set_sleepers(l);
-    return NULL;
-}
-
-void lumped_free(struct lumped *l)
-{
-    free(l->store);
-    free(l->beam[0]);
-    *l = (struct lumped){0};
-}
-
-void lumped_set(struct lumped *l, const double *u)
-{
-    const struct trk *t = l->track;
-
-    memset(l->v, 0, (size_t)(LUMPED_PARTS * l->stride) * sizeof *l->v);
-    for (int64_t i = 0; i < t->nodes; i++)
-        for (int part = LUMPED_WL; part <= LUMPED_TR; part++)
-            l->u[part * l->stride + i] = u[t->node_dof[i] + part];
-    for (int64_t i = 0; i < t->sleepers; i++)
-        for (int part = LUMPED_Z; part <= LUMPED_ROLL; part++)
-            l->u[part * l->stride + i] = u[t->sleeper_dof[i] + part - LUMPED_Z];
-}
-
-void lumped_state(const struct lumped *l, const double *state, double *x)
-{
-    const struct trk *t = l->track;
-
-    for (int64_t i = 0; i < t->nodes; i++)
-        for (int part = LUMPED_WL; part <= LUMPED_TR; part++)
-            x[t->node_dof[i] + part] = state[part * l->stride + i];
-    for (int64_t i = 0; i < t->sleepers; i++)
-        for (int part = LUMPED_Z; part <= LUMPED_ROLL; part++)
-            x[t->sleeper_dof[i] + part - LUMPED_Z] = state[part * l->stride + i];
-}
+#include "tools/integrate/two_step.h"
 
 /* ---- accelerations ---- */
 
@@ -277,37 +88,58 @@ CLONES static void sleeper_acceleration(int64_t n, const double *restrict pl, co
     }
 }
 
-void lumped_accelerate(struct lumped *l)
+/* All of nodes and sleepers from i to before `to`; elements before i have been done. */
+static void accelerate(struct lumped *l, int64_t i, int64_t to)
 {
-    int64_t n = l->n, k = l->stride;
-    const double *z = l->u + LUMPED_Z * k, *r = l->u + LUMPED_ROLL * k;
-    const double *vz = l->v + LUMPED_Z * k, *vr = l->v + LUMPED_ROLL * k;
+    const int64_t k = l->stride, n = to - i, elements = to < l->n ? n + 1 : n;     /* nodes that elements from i on stand on */
+    const double *z = l->u + LUMPED_Z * k + i, *r = l->u + LUMPED_ROLL * k + i;
+    const double *vz = l->v + LUMPED_Z * k + i, *vr = l->v + LUMPED_ROLL * k + i;
 
     for (int s = 0; s < 2; s++) {
-        int64_t w = (s ? LUMPED_WR : LUMPED_WL) * k, t = (s ? LUMPED_TR : LUMPED_TL) * k;
-        double *shear = l->shear[s] + LANES, *near = l->near[s] + LANES, *far = l->far[s] + LANES;
-        bend(n, l->u + w, l->u + t, l->k12[s], l->k6[s], l->k4[s], shear, near, far);
+        const int64_t w = (s ? LUMPED_WR : LUMPED_WL) * k + i, t = (s ? LUMPED_TR : LUMPED_TL) * k + i;
+        double *shear = l->shear[s] + LUMPED_LANES + i, *near = l->near[s] + LUMPED_LANES + i, *far = l->far[s] + LUMPED_LANES + i;
+        bend(elements, l->u + w, l->u + t, l->k12[s] + i, l->k6[s] + i, l->k4[s] + i, shear, near, far);
         if (l->tapered[s])
-            bend_tapered(n, l->u + w, l->u + t, l->taper_6[s], l->taper_near[s], l->taper_far[s], shear, near, far);
-        compress(n, l->u + w, l->v + w, z, vz, r, vr, l->arm[s], l->pad_k[s], l->pad_c[s], l->pad[s]);
-        rail_acceleration(n, shear, near, far, l->pad[s], l->inverse + w, l->inverse + t, l->gravity, l->a + w, l->a + t);
+            bend_tapered(elements, l->u + w, l->u + t, l->taper_6[s] + i, l->taper_near[s] + i, l->taper_far[s] + i, shear, near, far);
+        compress(n, l->u + w, l->v + w, z, vz, r, vr, l->arm[s] + i, l->pad_k[s] + i, l->pad_c[s] + i, l->pad[s] + i);
+        rail_acceleration(n, shear, near, far, l->pad[s] + i, l->inverse + w, l->inverse + t, l->gravity, l->a + w, l->a + t);
     }
     for (int s = 0; s < 3; s++)
         if (l->pushes[s])
-            settle_pushing(n, z, vz, r, vr, l->ballast_y[s], l->ballast_k[s], l->ballast_c[s], l->gap[s], l->floor[s], l->ballast[s]);
+            settle_pushing(n, z, vz, r, vr, l->ballast_y[s] + i, l->ballast_k[s] + i, l->ballast_c[s] + i, l->gap[s] + i, l->floor[s] + i,
+                           l->ballast[s] + i);
         else
-            settle(n, z, vz, r, vr, l->ballast_y[s], l->ballast_k[s], l->ballast_c[s], l->ballast[s]);
-    sleeper_acceleration(n, l->pad[0], l->pad[1], l->arm[0], l->arm[1], l->ballast[0], l->ballast[1], l->ballast[2],
-                         l->ballast_y[0], l->ballast_y[1], l->ballast_y[2], l->inverse + LUMPED_Z * k,
-                         l->inverse + LUMPED_ROLL * k, l->gravity, l->a + LUMPED_Z * k, l->a + LUMPED_ROLL * k);
+            settle(n, z, vz, r, vr, l->ballast_y[s] + i, l->ballast_k[s] + i, l->ballast_c[s] + i, l->ballast[s] + i);
+    sleeper_acceleration(n, l->pad[0] + i, l->pad[1] + i, l->arm[0] + i, l->arm[1] + i, l->ballast[0] + i, l->ballast[1] + i,
+                         l->ballast[2] + i, l->ballast_y[0] + i, l->ballast_y[1] + i, l->ballast_y[2] + i,
+                         l->inverse + LUMPED_Z * k + i, l->inverse + LUMPED_ROLL * k + i, l->gravity, l->a + LUMPED_Z * k + i,
+                         l->a + LUMPED_ROLL * k + i);
+}
+
+void lumped_accelerate(struct lumped *l)
+{
+    accelerate(l, 0, l->n);
+}
+
+/* Block by block, so that what has just moved is still in the first level of the cache: 40 arrays of BLOCK numbers.  The motion is ahead by one
+ * vector, of which the last element of a block needs a node. */
+enum { BLOCK = 64 };
+
+void lumped_step(struct lumped *l, double h)
+{
+    const int64_t k = l->stride;
+    int64_t moved = 0;
+
+    for (int64_t i = 0; i < l->n; i += BLOCK) {
+        const int64_t to = i + BLOCK < l->n ? i + BLOCK : l->n, ahead = i + BLOCK + LUMPED_LANES < k ? i + BLOCK + LUMPED_LANES : k;
+        for (int64_t part = moved; part < LUMPED_PARTS * k; part += k)
+            two_step(ahead - moved, h, l->u + part, l->v + part, l->a + part, l->before + part);
+        moved = ahead;
+        accelerate(l, i, to);
+    }
 }
 
 /* ---- wheels ---- */
-
-struct wheel_place lumped_find(const struct lumped *l, int rail, double x)
-{
-    return wheel_place_find(l->track, l->beam[rail], x);
-}
 
 double lumped_sample(const struct lumped *l, int rail, const struct wheel_place *p, const double f[4], const double *state)
 {
@@ -327,54 +159,23 @@ void lumped_load(struct lumped *l, int rail, const struct wheel_place *p, double
     l->a[t] += F * p->shape[1] * l->inverse[t];
     l->a[w + 1] += F * p->shape[2] * l->inverse[w + 1];
     l->a[t + 1] += F * p->shape[3] * l->inverse[t + 1];
-    l->near[rail][LANES + p->node] -= F * p->shape[1];
-    l->far[rail][LANES + p->node] -= F * p->shape[3];
+    l->near[rail][LUMPED_LANES + p->node] -= F * p->shape[1];
+    l->far[rail][LUMPED_LANES + p->node] -= F * p->shape[3];
+}
+
+CLONES static void mean_moment(int64_t n, const double *restrict near, const double *restrict far, double *restrict m)
+{
+    for (int64_t i = 0; i < n; i++)
+        m[i] = 0.5 * (far[i - 1] - near[i]);
 }
 
 /* M = -EI w'' is positive where the rail sags, so near = EI w'' = -M and far = -EI w'' = M.  The element behind a node and the one
  * ahead differ by the node's inertia: the mean is taken. */
 void lumped_moment(const struct lumped *l, int rail, double *m)
 {
-    const double *near = l->near[rail] + LANES, *far = l->far[rail] + LANES;
+    const double *near = l->near[rail] + LUMPED_LANES, *far = l->far[rail] + LUMPED_LANES;
 
-    for (int64_t i = 0; i < l->n; i++)
-        m[i] = i == 0 ? -near[0] : i == l->n - 1 ? far[i - 1] : 0.5 * (far[i - 1] - near[i]);
-}
-
-/* ---- stability ---- */
-
-enum { POWER_ITERATIONS = 400 };
-
-/* x <- M^-1 K x, scaled: the factor tends to the square of the highest frequency.  M^-1 K is similar to a symmetric
- * matrix, so the quotient with M as weight is that of Rayleigh and converges as the square of the vector does. */
-double lumped_highest(struct lumped *l)
-{
-    size_t n = (size_t)(LUMPED_PARTS * l->stride);
-    double lambda = 0, g = l->gravity;
-    int pushes[3];
-
-    memcpy(pushes, l->pushes, sizeof pushes);
-    memset(l->pushes, 0, sizeof pushes);
-    l->gravity = 0;
-    memset(l->v, 0, n * sizeof *l->v);
-    for (size_t i = 0; i < n; i++)
-        l->u[i] = l->inverse[i] > 0 ? (i % 2 ? -1.0 : 1.0) / (1.0 + (double)(i % 7)) : 0;
-    for (int k = 0; k < POWER_ITERATIONS; k++) {
-        double xx = 0, xy = 0, yy = 0;
-        lumped_accelerate(l);
-        for (size_t i = 0; i < n; i++)
-            if (l->inverse[i] > 0) {
-                xx += l->u[i] * l->u[i] / l->inverse[i];
-                xy -= l->u[i] * l->a[i] / l->inverse[i];
-                yy += l->a[i] * l->a[i];
-            }
-        lambda = xy / xx;
-        for (size_t i = 0; i < n; i++)
-            l->u[i] = -l->a[i] / sqrt(yy);
-    }
-    memset(l->u, 0, n * sizeof *l->u);
-    memset(l->a, 0, n * sizeof *l->a);
-    l->gravity = g;
-    memcpy(l->pushes, pushes, sizeof pushes);
-    return sqrt(lambda);
+    mean_moment(l->n, near, far, m);
+    m[0] = -near[0];
+    m[l->n - 1] = far[l->n - 2];
 }

@@ -9,6 +9,8 @@
 
 enum lumped_part { LUMPED_WL, LUMPED_TL, LUMPED_WR, LUMPED_TR, LUMPED_Z, LUMPED_ROLL, LUMPED_PARTS };
 
+enum { LUMPED_LANES = 8 }; /* numbers of a whole vector */
+
 struct lumped {
     const struct trk *track;            /* must outlive this */
     int64_t n, stride;                  /* sleepers; rounded up to whole vectors */
@@ -42,8 +44,8 @@ void lumped_state(const struct lumped *l, const double *state, double *x);
 /* Accelerations a, pad and ballast forces from u and v, without wheels. */
 void lumped_accelerate(struct lumped *l);
 
-/* The element of rail 0 left or 1 right under station x, which must lie between the first and the last node. */
-struct wheel_place lumped_find(const struct lumped *l, int rail, double x);
+/* One step of h s by two_step.h, and the accelerations after it, without wheels. */
+void lumped_step(struct lumped *l, double h);
 
 /* f.[w t w t] with the shape or slope functions f, of the state u or v. */
 double lumped_sample(const struct lumped *l, int rail, const struct wheel_place *p, const double f[4], const double *state);

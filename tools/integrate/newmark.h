@@ -10,6 +10,7 @@
 #define VX_INTEGRATE_NEWMARK_H
 
 #include "tools/integrate/banded.h"
+#include "tools/integrate/direction.h"
 #include "tools/integrate/relief.h"
 #include "tools/integrate/wheel_place.h"
 
@@ -60,11 +61,14 @@ double newmark_sample(const struct newmark *m, int rail, const struct wheel_plac
 /* f.v of the rail, after newmark_move. */
 double newmark_rate(const struct newmark *m, int rail, const struct wheel_place *p, const double f[4]);
 
+/* d.v of the track, after newmark_move. */
+double newmark_speed(const struct newmark *m, const struct direction *d);
+
 /* f.(u - u0) of the rail: how far it has come in the step. */
 double newmark_moved(const struct newmark *m, int rail, const struct wheel_place *p, const double f[4]);
 
-/* Adds to lost [sleepers] J what the dampers of each took in the step, at its mean rates. */
-void newmark_lose(const struct newmark *m, double *lost);
+/* Adds to lost [sleepers] J what the dampers of each took in the step, at its mean rates; of a spatial track all to the first. */
+void newmark_lose(struct newmark *m, double *lost);
 
 /* m/N, 1/N: f' S^-1 N, f on rail `to` under a force N on rail `from`. */
 double newmark_give(const struct newmark *m, const struct wheel_place *p, int to, const double f[4], int from);

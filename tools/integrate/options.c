@@ -26,7 +26,8 @@ static struct excitation_options excitation_of(const struct case_text *c, const 
         .dips = c->dip.n, .joints = c->joint.n, .flats = c->flat.n,
         .dip = c->dip.item, .joint = c->joint.item, .flat = c->flat.item,
         .measured = measured,
-        .scale = c->irregularity.scale, .fade = c->irregularity.fade, .from = c->start, .to = c->end,
+        .scale = c->irregularity.scale, .fade = c->irregularity.fade, .from = fmin(c->start, c->end), .to = fmax(c->start, c->end),
+        .trailing = c->direction == CASE_TRAILING,
     };
 
     if (c->force.amplitude > 0) /* no wheel */
@@ -34,7 +35,7 @@ static struct excitation_options excitation_of(const struct case_text *c, const 
     if (c->irregularity.spectrum != CASE_NO_SPECTRUM)
         e.waves = (struct spectrum_waves){
             c->irregularity.spectrum == CASE_ERRI_LOW ? SPECTRUM_LOW : SPECTRUM_HIGH,
-            c->irregularity.shortest, c->irregularity.longest, c->end - c->start, c->irregularity.seed,
+            c->irregularity.shortest, c->irregularity.longest, fabs(c->end - c->start), c->irregularity.seed,
         };
     return e;
 }
@@ -54,14 +55,19 @@ const char *options_read(struct passage_options *o, const struct case_text *c, d
 
     if (why)
         return why;
-    if (c->end <= c->start && !(c->force.amplitude > 0))
+    const int trailing = c->direction == CASE_TRAILING && !(c->force.amplitude > 0);
+    if (!trailing && c->end <= c->start && !(c->force.amplitude > 0))
         return reason("end, %g m, must lie beyond start, %g m", c->end, c->start);
+    if (trailing && c->end >= c->start)
+        return reason("end, %g m, must lie before start, %g m, in the direction trailing", c->end, c->start);
     *o = (struct passage_options){
         .speed = speed,
-        .start = c->start,
-        .end = c->end,
+        .start = trailing ? -c->start : c->start,
+        .end = trailing ? -c->end : c->end,
+        .trailing = trailing,
         .step = c->step,
         .scheme = c->scheme == CASE_EXPLICIT ? WAY_EXPLICIT : c->scheme == CASE_IMPLICIT ? WAY_IMPLICIT : WAY_AUTO,
+        .implicit_train = c->train_scheme,
         .law = contact_law(c),
         .excitation = excitation_of(c, measured),
     };

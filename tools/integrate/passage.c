@@ -2,13 +2,15 @@
 #include "formats/reason.h"
 #include "tools/contact/lookup.h"
 #include "tools/creep/kalker.h"
-#include "tools/integrate/two_step.h"
+#include "tools/integrate/facing.h"
+#include "tools/track/turn.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #define SPIN_MARGIN 0.8    /* of 1/rate, below */
+#define REAR_MARGIN 1.0    /* m, behind the last body, where headings and offsets begin to count */
 #define END_MARGIN 5.0     /* m that every wheel keeps from a free rail end */
 
 /* ---- checks ---- */
@@ -25,9 +27,11 @@ static const char *check_ends(const struct passage *p)
     for (int64_t i = 0; i < v->wheelsets; i++)
         rear = fmin(rear, v->cg[3 * v->wheelset[i]]);
     if (o->start + rear < first)
-        return reason("the last wheelset would start at %.2f m, but the track carries wheels from %.2f m", o->start + rear, first);
+        return reason("the last wheelset would start at %.2f m, but the track carries wheels %s %.2f m", facing_station(p, o->start + rear),
+                      o->trailing ? "to" : "from", facing_station(p, first));
     if (o->end > last)
-        return reason("the front wheelset would end at %.2f m, but the track carries wheels to %.2f m", o->end, last);
+        return reason("the front wheelset would end at %.2f m, but the track carries wheels %s %.2f m", facing_station(p, o->end),
+                      o->trailing ? "from" : "to", facing_station(p, last));
     return NULL;
 }
 
@@ -88,12 +92,47 @@ static const char *check_step(struct passage *p)
     return NULL;
 }
 
+/* m, a little behind the last body where the train starts. */
+static double rear_station(const struct passage *p)
+{
+    double rear = 0;
+
+    for (int64_t i = 0; i < p->vehicle->bodies; i++)
+        rear = fmin(rear, p->vehicle->cg[3 * i]);
+    return p->o.start + rear - REAR_MARGIN;
+}
+
 /* A moving mass is laid under every wheelset. */
 static const char *lay_track(struct passage *p, const struct trk *track)
 {
     p->follows = follow_is(track);
     p->track = p->follows ? &p->own : track;
     return p->follows ? follow_train(&p->own, track, p->vehicle) : NULL;
+}
+
+/* Track and tables as the train runs on them; the alignment is that of the one track or of the masses that follow. */
+static const char *turn(struct passage *p, const struct ctab *left, const struct ctab *right)
+{
+    const char *why = NULL;
+
+    if (p->o.trailing && !(why = turn_track(&p->turned, p->facing))) {
+        p->view[0] = contact_turn(right);
+        p->view[1] = contact_turn(left);
+        p->table[0] = &p->view[0];
+        p->table[1] = &p->view[1];
+    }
+    return why ? why : lay_track(p, p->o.trailing ? &p->turned : p->facing);
+}
+
+static const char *lay_alignment(struct passage *p)
+{
+    const struct trk *t = p->track;
+    const char *why = alignment_new(&p->alignment, t->curves, t->curve_x, t->curvature);
+
+    if (why)
+        return why;
+    alignment_raise(&p->alignment, t->cants, t->cant_x, t->cant, t->rail_spacing);
+    return alignment_begin(&p->alignment, rear_station(p));
 }
 
 int64_t passage_steps(const struct passage_options *o)
@@ -107,23 +146,22 @@ const char *passage_new(struct passage *p, const struct passage_options *o, cons
     size_t wheels = (size_t)(2 * vehicle->wheelsets);
     const char *why;
 
-    *p = (struct passage){.o = *o, .vehicle = vehicle, .table = {left, right}, .station = o->start};
-    p->steps = o->exciter ? o->exciter->steps : (int64_t)ceil((o->end - o->start) / (o->speed * o->step) - 1e-9);
+    *p = (struct passage){.o = *o, .facing = track, .vehicle = vehicle, .table = {left, right}, .station = o->start};
+    p->steps = o->exciter ? o->exciter->steps : passage_steps(o);
     p->memory = calloc(wheels, sizeof *p->memory);
     p->couple = calloc(wheels, sizeof *p->couple);
     p->wheel = calloc(wheels, sizeof *p->wheel);
     if (!p->memory || !p->couple || !p->wheel || sideways_new(&p->sideways, vehicle->wheelsets))
         why = REASON_MEMORY;
-    else if (!(why = lay_track(p, track)) && !(why = check_ends(p)) && !(why = check_tables(vehicle, left, right)) &&
-             !(why = alignment_new(&p->alignment, track->curves, track->curve_x, track->curvature)) &&
+    else if (!(why = check_tables(vehicle, left, right)) && !(why = turn(p, left, right)) && !(why = check_ends(p)) && !(why = lay_alignment(p)) &&
              !(why = check_flats(&o->excitation, vehicle)) && !(why = excitation_new(&p->excitation, &o->excitation)) &&
              !(why = way_new(&p->rails, p->track, vehicle->gravity, o->step, o->scheme)) &&
-             (!o->account || !(why = energy_new(&p->energy, &p->rails))) && !(why = train_new(&p->train, vehicle, o->speed)))
+             (!o->account || !(why = energy_new(&p->energy, &p->rails))) && !(why = train_new(&p->train, vehicle, o->speed, o->step)))
         why = check_step(p);
+    if (!why && o->implicit_train)
+        why = p->rails.scheme == WAY_IMPLICIT ? train_imply(&p->train) : "train_scheme: implicit wants scheme: implicit";
     if (why)
         passage_free(p);
-    else
-        alignment_raise(&p->alignment, track->cants, track->cant_x, track->cant, track->rail_spacing);
     return why;
 }
 
@@ -139,6 +177,7 @@ void passage_free(struct passage *p)
     free(p->wheel);
     sideways_free(&p->sideways);
     trk_free(&p->own);
+    trk_free(&p->turned);
     memset(p, 0, sizeof *p);
 }
 
@@ -169,11 +208,28 @@ void passage_wheel_input(const struct passage *p, int64_t i, int side, const str
     in->compliance = rail->local;
     in->rail_y = p->sideways.y[2 * i + side];
     in->rail_vy = p->sideways.v[2 * i + side];
+    in->rail_turn = in->rail_roll = in->rail_vroll = 0;
+    in->check_y = in->check_vy = in->check_give = in->check_quick = 0;
+    if (trk_is_spatial(p->track)) {
+        const struct wheel_memory *m = &p->memory[2 * i + side];
+        lateral_stand(&(struct lateral){.F = {m->Y, m->M}, .applied = {m->Y, m->M}}, place, rail, m, p->o.step, in);
+    }
     excitation_find(&p->excitation, in->s, i, side, p->vehicle->radius[i], &at);
     in->dip = at.z;
     in->dip_slope = at.z_slope;
     in->line = at.y;
     in->line_slope = at.y_slope;
+}
+
+/* A track that follows the train has no bays: any length will do. */
+void passage_account(struct passage *p)
+{
+    const struct trk *t = p->track;
+    const double bay = p->follows || t->sleepers < 2 ? 0.6 : t->sleeper_x[1] - t->sleeper_x[0];
+
+    energy_begin(&p->energy, &p->rails);
+    if (p->vehicle->wheelsets)
+        run_in_begin(&p->run_in, t->sleeper_x[0], bay, *p->vehicle->wheel_load, p->station);
 }
 
 const char *passage_forces(struct passage *p)
@@ -183,11 +239,13 @@ const char *passage_forces(struct passage *p)
     train_locate(&p->train, &p->alignment, p->station);
     if ((why = couple_wheels(p)))
         return why;
-    sideways_accelerate(&p->sideways, p->track, p->follows, p->o.step, p->wheel);
+    if (!trk_is_spatial(p->track))
+        sideways_accelerate(&p->sideways, p->track, p->follows, p->o.step, p->wheel);
     way_finish(&p->rails);
     if (p->o.account && p->n > 0)
         energy_lose(&p->energy, &p->rails);
-    train_accelerate(&p->train, p->wheel);
+    if (!passage_implies(p)) /* where it does, the rounds have them */
+        train_accelerate(&p->train, p->wheel);
     return NULL;
 }
 
@@ -202,22 +260,22 @@ static const char *check_motion(const struct passage *p)
         sum += p->train.a[k];
     for (int64_t k = 0; k < p->track->nodes && !p->train.dofs; k++)
         sum += p->rails.wa[TRK_LEFT][k] + p->rails.wa[TRK_RIGHT][k];
-    return isfinite(sum) ? NULL : reason("the motion is not finite at station %.3f m", p->station);
+    return isfinite(sum) ? NULL : reason("the motion is not finite at station %.3f m", facing_station(p, p->station));
 }
 
 const char *passage_step(struct passage *p)
 {
-    struct train *t = &p->train;
     const char *why;
 
-    train_keep(t, p->o.step);
+    train_advance(&p->train);
     way_advance(&p->rails);
-    two_step(t->dofs, p->o.step, t->q, t->v, t->a, t->before);
     sideways_move(&p->sideways, p->o.step);
     p->n++;
     p->time = (double)p->n * p->o.step;
     p->station = p->o.start + p->o.speed * p->time;
     if ((why = passage_forces(p)))
         return why;
+    if (p->o.account && p->vehicle->wheelsets)
+        run_in_step(&p->run_in, p->station, p->wheel->Q);
     return check_motion(p);
 }

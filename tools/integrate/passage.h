@@ -1,9 +1,8 @@
-/* One passage: train and track moving together, in explicit steps.
+/* One passage: train and track moving together, step by step.
  *
- * Zhai's two-step scheme (Zhai 1996, IJNME 39, 4199) with both parameters 1/2:
- *   x(n+1) = x + v h + (a - a(n-1)/2) h^2,   v(n+1) = v + (3 a - a(n-1)) h/2,
- * then all forces from x(n+1), v(n+1), and a(n+1) without solving, since the mass is diagonal.  Second order; stable up to about 2/omega of the
- * highest frequency of the track. */
+ * A step moves the train (train.h) and the track (way.h), each by the scheme it has; then come all forces at the new positions and rates,
+ * those between wheels and rails together with what they move (couple.h), and from them the accelerations of the bodies.
+ * x forward, y to the right, z down; Q, Y, T are forces of the wheel on the rail. */
 #ifndef VX_INTEGRATE_PASSAGE_H
 #define VX_INTEGRATE_PASSAGE_H
 
@@ -14,6 +13,7 @@
 #include "tools/integrate/excitation.h"
 #include "tools/integrate/exciter.h"
 #include "tools/integrate/follow.h"
+#include "tools/integrate/run_in.h"
 #include "tools/integrate/sideways.h"
 #include "tools/integrate/train.h"
 #include "tools/integrate/way.h"
@@ -21,10 +21,12 @@
 
 struct passage_options {
     double speed;                   /* m/s */
-    double start, end;              /* m, stations of the front wheelset */
+    double start, end;              /* m, stations of the front wheelset; trailing, times -1, so that end is beyond start */
+    int trailing;                   /* the track is run with decreasing station: facing.h */
     double step;                    /* s */
     enum way_scheme scheme;         /* of the track */
-    int account;                    /* whether its energy is accounted for */
+    int implicit_train;             /* 1: average acceleration for the train too */
+    int account;                    /* whether its energy and its run-in are accounted for */
     struct wheel_law law;
     struct excitation_options excitation;
     const struct exciter *exciter;  /* NULL, or a prescribed force on the track: it sets the number of steps */
@@ -32,17 +34,21 @@ struct passage_options {
 
 struct passage {
     struct passage_options o;
-    const struct trk *track;        /* own where it follows the train */
+    const struct trk *facing;       /* as it is described */
+    const struct trk *track;        /* as the train runs on it: that, turned, or own where it follows the train */
+    struct trk turned;              /* of a trailing passage */
     struct trk own;                 /* a moving mass under each wheelset */
     int follows;
     const struct veh *vehicle;
-    const struct ctab *table[2];    /* left, right */
+    const struct ctab *table[2];    /* left, right, as the train has them */
+    struct ctab view[2];            /* of a trailing passage */
     struct alignment alignment;
     struct excitation excitation;
     struct way rails;
     struct train train;
     struct wheel_memory *memory;    /* [wheelsets][2] */
     struct energy energy;           /* of the track */
+    struct run_in run_in;           /* of the front left wheel, where there is an account */
     struct couple *couple;          /* [wheelsets][2] */
     struct wheel_output *wheel;     /* [wheelsets][2] */
     struct sideways sideways;
@@ -60,6 +66,15 @@ void passage_free(struct passage *p);
 
 /* Steps from start to end. */
 int64_t passage_steps(const struct passage_options *o);
+
+/* Accounts begin with the present state. */
+void passage_account(struct passage *p);
+
+/* Whether the train's accelerations are found with the forces of this step. */
+static inline int passage_implies(const struct passage *p)
+{
+    return p->train.S && way_yields(&p->rails);
+}
 
 /* All forces and accelerations from the present positions and rates. */
 const char *passage_forces(struct passage *p);

@@ -3,8 +3,8 @@
 #define VX_INTEGRATE_RECORD_H
 
 #include "formats/run.h"
+#include "tools/integrate/extremes.h"
 #include "tools/integrate/lowpass.h"
-#include "tools/integrate/passage.h"
 
 enum { RECORD_BLOCK = 256 };             /* records gathered before a block is written */
 enum { RECORD_ROOM = RECORD_BLOCK + 2 * LOWPASS_HALF + 2 }; /* those, what the low-pass has under way, and the present step */
@@ -22,16 +22,22 @@ struct record {
     int64_t size[RUN_CHANNELS];          /* elements of a record */
     void *buffer[RUN_CHANNELS];          /* [RECORD_ROOM][size] double or float by run_channels; NULL where not kept */
     const void *series[RUN_CHANNELS];    /* the buffers kept, in the order of run_put: for vxf_stream_block */
-    double *extreme[RUN_EXTREMES];       /* as run.h */
+    struct extremes extremes;
     int64_t force_on;                    /* of the exciter */
-    double *moment;                      /* N m [nodes] */
     double *wheelset_x;                  /* m [wheelsets] */
+    double *cg;                          /* m [bodies][3] */
+    double *static_q;                    /* N [wheelsets][2] */
+    double *node_x;                      /* m [nodes] of a track that follows a trailing train; else NULL */
+    int trailing, follows;               /* samples are turned, and extremes at the end: facing.h */
 };
 
 /* groups[RUN_GROUPS]: which groups of channels to keep; every >= 1 steps between samples; lowpass: forces, motions and accelerations are
  * filtered around their sample (lowpass.h; at the ends of the run by what there is), contacts and creepages, which leap, are not. */
 const char *record_new(struct record *r, const struct passage *p, const int *groups, int64_t every, int lowpass);
 void record_free(struct record *r);
+
+/* Of one record. */
+double record_bytes(const struct record *r);
 
 /* Takes in the present step: extremes always, a sample where it is due.  Returns 1 when the buffers are full and must be
  * written and emptied before the next call. */
@@ -42,5 +48,9 @@ void record_empty(struct record *r);
 
 /* After step n, the last one: what the low-pass has under way is complete. */
 void record_end(struct record *r, int64_t n);
+
+/* Of these two: the present step n, in the last row, into the records under way; and those that the last step leaves under way. */
+void record_filter(struct record *r, int64_t n);
+void record_filter_end(struct record *r, int64_t n);
 
 #endif

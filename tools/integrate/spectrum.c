@@ -1,4 +1,5 @@
 #include "tools/integrate/spectrum.h"
+#include "formats/random.h"
 
 #include <math.h>
 #include <string.h>
@@ -27,16 +28,6 @@ double spectrum_density(enum spectrum_level level, enum irregularity_quantity qu
     }
 }
 
-/* 0..1 (splitmix64, Steele, Lea and Flood 2014). */
-static double draw(uint64_t *state)
-{
-    uint64_t z = *state += 0x9e3779b97f4a7c15u;
-
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return (double)((z ^ (z >> 31)) >> 11) / 9007199254740992.0;
-}
-
 /* f = sum_k a_k cos(W_k x + p_k), a_k = sqrt(2 S dW); each wave goes from point to point by one turn. */
 void spectrum_series(const struct spectrum_waves *waves, enum irregularity_quantity quantity, double x0, double h, int64_t n, double *value,
                      double *slope)
@@ -44,12 +35,13 @@ void spectrum_series(const struct spectrum_waves *waves, enum irregularity_quant
     const double from = 2 * M_PI / waves->longest, to = 2 * M_PI / waves->shortest;
     const int64_t count = (int64_t)ceil((to - from) * MARGIN * waves->length / (2 * M_PI));
     const double dW = (to - from) / (double)count;
-    uint64_t state = (uint64_t)waves->seed * IRREGULARITY_QUANTITIES + (uint64_t)quantity;
+    struct random random;
 
+    random_begin(&random, (uint64_t)waves->seed * IRREGULARITY_QUANTITIES + (uint64_t)quantity);
     memset(value, 0, (size_t)n * sizeof *value);
     memset(slope, 0, (size_t)n * sizeof *slope);
     for (int64_t k = 0; k < count; k++) {
-        const double W = from + ((double)k + 0.5) * dW, phase = 2 * M_PI * draw(&state) + W * x0;
+        const double W = from + ((double)k + 0.5) * dW, phase = 2 * M_PI * random_uniform(&random) + W * x0;
         const double a = sqrt(2 * spectrum_density(waves->level, quantity, W) * dW);
         const double turn_re = cos(W * h), turn_im = sin(W * h);
         double re = a * cos(phase), im = a * sin(phase);

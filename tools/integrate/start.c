@@ -2,6 +2,7 @@
  * so much stiffer than the springs that each round gains two digits. */
 #include "tools/integrate/start.h"
 #include "formats/reason.h"
+#include "tools/integrate/steady.h"
 #include "tools/track/equilibrium.h"
 
 #include <lapacke.h>
@@ -12,7 +13,7 @@
 enum { ROUNDS_MOST = 30, HEIGHT_MOST = 60 };
 #define LOAD_TOLERANCE 1e-3   /* N */
 #define HEIGHT_TOLERANCE 1e-3 /* N, of a wheel load found by its height */
-#define SIDEWAYS_MOST 0.01    /* sum of Y over the load of a wheelset; a load off centre gives some */
+#define BALANCED 1e-4         /* of a wheel load, N or N m: what rest on straight level track may leave, for rounding of the tables */
 
 struct rest {
     struct passage *p;
@@ -39,7 +40,11 @@ static void track_loads(struct rest *r)
         int s = (int)(k % 2);
         struct wheel_place at = passage_place(r->p, k / 2, s);
         for (int j = 0; j < 4; j++)
-            r->f[t->node_dof[at.node + j / 2] + 2 * s + j % 2] += at.shape[j] * r->load[k];
+            r->f[trk_rail_dof(t, s, at.node + j / 2) + j % 2] += at.shape[j] * r->load[k];
+        if (trk_is_spatial(t)) {
+            direction_load(&at.head.y, r->p->memory[k].Y, r->f);
+            direction_load(&at.head.twist, r->p->memory[k].M, r->f);
+        }
     }
 }
 
@@ -64,6 +69,17 @@ static void wheel_input(const struct passage *p, int64_t i, int side, struct whe
     passage_wheel_input(p, i, side, &place, &rail, in);
 }
 
+/* On a spatial rail; the next round has it. */
+static void push_aside(struct rest *r, int64_t k, const struct wheel_input *in, const struct wheel_output *out)
+{
+    const struct head_force F = lateral_force(r->p->track, (int)(k % 2), in, out);
+    struct wheel_memory *m = &r->p->memory[k];
+
+    r->shift = fmax(r->shift, fabs(F.Y - m->Y));
+    m->Y = m->Y_before = F.Y;
+    m->M = m->M_before = F.M;
+}
+
 /* Height z of the wheel at which it carries `load`, with both wheels of the set at that height: bisection on a force that grows with z. */
 static const char *seek_height(struct rest *r, int64_t k, double *z)
 {
@@ -74,11 +90,11 @@ static const char *seek_height(struct rest *r, int64_t k, double *z)
 
     wheel_input(p, k / 2, (int)(k % 2), &in);
     in.roll = in.vroll = in.rail_v = in.vz = 0;
-    in.rail_slope = 0;
+    in.rail_slope = in.rail_turn = 0;
     low = in.rail_z - 0.02;
     high = in.rail_z + 0.02;
     for (int i = 0; i < HEIGHT_MOST; i++) {
-        struct wheel_memory memory = {.local = in.compliance * load};
+        struct wheel_memory memory = {.local = in.compliance * load, .Y = p->memory[k].Y, .M = p->memory[k].M};
         const char *why;
         in.z = 0.5 * (low + high);
         for (int j = 0; j < 3; j++) /* the creep force enters a step late */
@@ -90,7 +106,9 @@ static const char *seek_height(struct rest *r, int64_t k, double *z)
         *(out.Q < load ? &low : &high) = in.z;
     }
     *z = in.z;
-    if (*p->track->lateral_k > 0 && (!p->follows || *p->track->sleeper_lateral_k > 0)) { /* else both sides push on one mass */
+    if (trk_is_spatial(p->track)) {
+        push_aside(r, k, &in, &out);
+    } else if (*p->track->lateral_k > 0 && (!p->follows || *p->track->sleeper_lateral_k > 0)) { /* else both sides push on one mass */
         r->shift = fmax(r->shift, fabs(out.Y - *p->track->lateral_k * p->sideways.y[k]));
         p->sideways.y[k] = out.Y / *p->track->lateral_k; /* the next round has it */
     }
@@ -129,7 +147,7 @@ static const char *axle_moment(struct rest *r, int64_t i, double spin, double *m
         struct wheel_memory memory = p->memory[2 * i + s];
         struct wheel_output out;
         wheel_input(p, i, s, &in);
-        in.rail_slope = 0;
+        in.rail_slope = in.rail_turn = 0;
         why = wheel_force(&p->o.law, &in, &memory, &out);
         *moment += out.moment[1];
     }
@@ -231,28 +249,64 @@ static const char *settle(struct rest *r)
     return why;
 }
 
-/* Frames count from the tangent at the beginning of the alignment, on which all bodies must still stand. */
-static const char *check_straight(const struct passage *p)
+/* ---- in curves, on cant, with unlike sides ---- */
+
+/* Bodies that stand in straight frames stand so in those of the alignment. */
+static void follow_alignment(struct passage *p)
 {
-    for (int64_t i = 0; i < p->vehicle->bodies; i++)
-        if (p->train.line[i].heading != 0 || p->train.line[i].offset != 0)
-            return reason("%s would start in or behind a curve: the start is found on straight track only, before %g m",
-                          p->vehicle->body_name[i], p->alignment.x[0]);
-        else if (p->train.line[i].cant != 0)
-            return reason("%s would start on cant: the start is found on level track only, before %g m", p->vehicle->body_name[i],
-                          p->alignment.cant_x[0]);
-    return NULL;
+    struct train *t = &p->train;
+
+    train_locate(t, &p->alignment, p->station);
+    for (int64_t i = 0; i < p->vehicle->bodies; i++) {
+        double q[6], v[6];
+        memcpy(q, t->q + 6 * i, sizeof q);
+        memcpy(v, t->v + 6 * i, sizeof v);
+        train_put(t, i, q, v);
+    }
 }
 
-static const char *check_sideways(const struct passage *p)
+/* Wheel loads -> track -> train -> wheel loads. */
+static const char *settle_steady(struct rest *r, struct steady *s)
 {
-    for (int64_t i = 0; i < p->vehicle->wheelsets; i++) {
-        double Y = p->wheel[2 * i].Y + p->wheel[2 * i + 1].Y, Q = p->wheel[2 * i].Q + p->wheel[2 * i + 1].Q;
-        if (fabs(Y) > SIDEWAYS_MOST * Q)
-            return reason("wheelset %lld is pushed sideways by %.3g N where it starts: the start is found only where both sides are alike",
-                          (long long)i + 1, fabs(Y));
+    const int64_t wheels = 2 * r->p->vehicle->wheelsets;
+    const char *why = NULL;
+    double change = HUGE_VAL;
+
+    for (int i = 0; i < ROUNDS_MOST && change > LOAD_TOLERANCE && !why; i++) {
+        if ((why = settle_track(r)) || (why = steady_find(s)))
+            break;
+        r->shift = 0;
+        for (int64_t k = 0; k < wheels && trk_is_spatial(r->p->track); k++) {
+            struct wheel_input in;
+            wheel_input(r->p, k / 2, (int)(k % 2), &in);
+            push_aside(r, k, &in, &r->p->wheel[k]);
+        }
+        change = r->shift;
+        for (int64_t k = 0; k < wheels; k++) {
+            change = fmax(change, fabs(r->p->wheel[k].Q - r->load[k]));
+            r->load[k] = r->p->wheel[k].Q;
+        }
     }
-    return NULL;
+    if (!why && change > LOAD_TOLERANCE)
+        why = reason("no quasi-static equilibrium found: wheel loads still change by %.3g N", change);
+    return why;
+}
+
+/* A train that its straight rest does not leave balanced. */
+static const char *balance(struct rest *r)
+{
+    struct steady s;
+    double left;
+    const char *why;
+
+    follow_alignment(r->p);
+    if ((why = steady_new(&s, r->p)))
+        return why;
+    why = steady_unbalanced(&s, &left);
+    if (!why && left > BALANCED * s.load)
+        why = settle_steady(r, &s);
+    steady_free(&s);
+    return why;
 }
 
 /* The forces of that state; the motion begins with these accelerations. */
@@ -261,18 +315,22 @@ static const char *begin(struct passage *p, double *residual)
     const char *why = passage_forces(p);
 
     *residual = 0;
-    if (!why)
-        why = check_sideways(p);
     if (why)
         return why;
-    for (int64_t i = 0; i < p->vehicle->bodies; i++)
-        *residual = fmax(*residual, fabs(p->train.a[6 * i + VEH_Z]) / p->vehicle->gravity);
+    for (int64_t i = 0; i < p->vehicle->bodies; i++) {
+        double carried[6];
+        train_carried(&p->train, i, carried);
+        for (int k = VEH_Y; k <= VEH_Z; k++)
+            *residual = fmax(*residual, fabs(p->train.a[6 * i + k] - carried[k]) / p->vehicle->gravity);
+    }
     for (size_t k = 0; k < (size_t)(2 * p->vehicle->wheelsets); k++) {
         p->memory[k].before = p->memory[k].local;
         p->memory[k].Q_before = p->memory[k].Q;
+        p->memory[k].Y_before = p->memory[k].Y;
+        p->memory[k].M_before = p->memory[k].M;
     }
     if (p->o.account)
-        energy_begin(&p->energy, &p->rails);
+        passage_account(p);
     memcpy(p->train.before, p->train.a, (size_t)p->train.dofs * sizeof *p->train.a);
     return NULL;
 }
@@ -287,8 +345,7 @@ const char *passage_start(struct passage *p, double *residual)
     train_locate(&p->train, &p->alignment, p->station);
     if (!v->bodies)
         return begin(p, residual);
-    if ((why = check_straight(p)))
-        return why;
+    train_level(&p->train);
     r.f = calloc((size_t)p->track->dofs, sizeof *r.f);
     r.u = calloc((size_t)p->track->dofs, sizeof *r.u);
     r.load = calloc(wheels, sizeof *r.load);
@@ -300,8 +357,7 @@ const char *passage_start(struct passage *p, double *residual)
         why = REASON_MEMORY;
     else if (!(why = equilibrium_new(&r.track, p->track, p->vehicle->gravity))) {
         find_free(&r);
-        why = settle(&r);
-        if (!why)
+        if (!(why = settle(&r)) && !(why = balance(&r)))
             why = begin(p, residual);
         equilibrium_free(&r.track);
     }

@@ -1,5 +1,6 @@
 #include "tools/integrate/state.h"
 #include "formats/reason.h"
+#include "tools/integrate/facing.h"
 #include "tools/track/equilibrium.h"
 
 #include <math.h>
@@ -8,6 +9,7 @@
 
 /* The track counts as moved where it lies off its rest by this: a railpad of 300 MN/m then has 0.3 N. */
 #define REACH_TOLERANCE 1e-9 /* m */
+#define RAIL_TOLERANCE 1e-9  /* m */
 #define EVERYWHERE 1e9       /* m: a track that follows the train */
 
 /* ---- parts ---- */
@@ -35,6 +37,11 @@ int state_parts(struct passage *p, struct state_part *part)
 
 /* ---- taking ---- */
 
+static const char *direction(const struct passage *p)
+{
+    return p->o.trailing ? "trailing" : "facing";
+}
+
 /* Stations of the outermost rail nodes that lie off their rest, or of the wheels if these reach farther. */
 static void find_reach(struct state *s, const struct passage *p)
 {
@@ -53,6 +60,11 @@ static void find_reach(struct state *s, const struct passage *p)
     for (int64_t i = 0; i < p->vehicle->wheelsets; i++) {
         s->reach[0] = fmin(s->reach[0], passage_wheel_station(p, i));
         s->reach[1] = fmax(s->reach[1], passage_wheel_station(p, i));
+    }
+    if (p->o.trailing) {
+        const double first = s->reach[0];
+        s->reach[0] = -s->reach[1];
+        s->reach[1] = -first;
     }
 }
 
@@ -77,8 +89,10 @@ const char *state_take(struct state *s, const struct passage *p, double **rest)
 
     if (why)
         return why;
-    *s = (struct state){.speed = p->o.speed, .step = p->o.step, .start = p->o.start, .station = p->station, .steps = (double)p->n,
+    *s = (struct state){.speed = p->o.speed, .step = p->o.step, .start = facing_station(p, p->o.start),
+                        .station = facing_station(p, p->station), .steps = (double)p->n,
                         .dofs = p->track->dofs, .rest = *rest};
+    snprintf(s->direction, sizeof s->direction, "%s", direction(p));
     snprintf(s->scheme, sizeof s->scheme, "%s", p->rails.scheme == WAY_EXPLICIT ? "explicit" : "implicit");
     find_reach(s, p);
     return NULL;
@@ -96,7 +110,9 @@ static const char *check(const struct state *s, const struct passage *p, const s
         return reason("its step is %.9g s, that of the case %.9g", s->step, p->o.step);
     if (strcmp(s->scheme, p->rails.scheme == WAY_EXPLICIT ? "explicit" : "implicit"))
         return reason("it is of the %s scheme, which is not that of this run", s->scheme);
-    if (s->station >= p->o.end)
+    if (strcmp(s->direction, direction(p)))
+        return reason("it runs %s, the case %s", s->direction, direction(p));
+    if (facing_station(p, s->station) >= p->o.end)
         return reason("it is at %.3f m, where the case ends or beyond", s->station);
     if (s->dofs != p->track->dofs)
         return reason("its track has %lld degrees of freedom, this one %lld", (long long)s->dofs, (long long)p->track->dofs);
@@ -129,6 +145,20 @@ static const char *find_shift(const struct state *s, struct passage *p, double *
     return why;
 }
 
+/* Dips, joints, flats and irregularity may differ ahead of the wheels, but not under them. */
+static const char *check_rail(const struct passage *p)
+{
+    for (int64_t k = 0; k < 2 * p->vehicle->wheelsets; k++) {
+        struct excitation_at at;
+        excitation_find(&p->excitation, passage_wheel_station(p, k / 2), k / 2, (int)(k % 2), p->vehicle->radius[k / 2], &at);
+        const double off = fmax(fabs(at.z - p->memory[k].dip), fabs(at.y - p->memory[k].line));
+        if (off > RAIL_TOLERANCE)
+            return reason("under wheelset %lld the %s rail's irregularity is off that of the state by %.3g mm", (long long)(k / 2 + 1),
+                          k % 2 ? "right" : "left", 1e3 * off);
+    }
+    return NULL;
+}
+
 const char *state_resume(const struct state *s, struct passage *p, const struct state_difference *differs, int n)
 {
     struct state_part part[STATE_PARTS], way[WAY_PARTS];
@@ -147,14 +177,14 @@ const char *state_resume(const struct state *s, struct passage *p, const struct 
     if (why)
         return why;
     way_resume(&p->rails);
-    p->o.start = s->start;
+    p->o.start = facing_station(p, s->start);
     p->n = (int64_t)s->steps;
     p->steps = passage_steps(&p->o);
     p->time = (double)p->n * p->o.step;
     p->station = p->o.start + p->o.speed * p->time;
     for (int64_t k = 0; k < 2 * p->vehicle->wheelsets; k++)
-        p->couple[k].place = way_find(&p->rails, (int)(k % 2), passage_wheel_station(p, k / 2));
+        p->couple[k].place = passage_place(p, k / 2, (int)(k % 2));
     if (p->o.account)
-        energy_begin(&p->energy, &p->rails);
-    return NULL;
+        passage_account(p);
+    return check_rail(p);
 }

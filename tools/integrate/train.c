@@ -1,7 +1,9 @@
 #include "tools/integrate/train.h"
 #include "formats/reason.h"
+#include "tools/integrate/two_step.h"
 #include "tools/vehicle/couplings.h"
 
+#include <lapacke.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -28,11 +30,11 @@ static double middle(const struct veh *v)
     return mass > 0 ? moment / mass : 0;
 }
 
-const char *train_new(struct train *t, const struct veh *v, double speed)
+const char *train_new(struct train *t, const struct veh *v, double speed, double h)
 {
     size_t n = (size_t)(6 * v->bodies);
 
-    *t = (struct train){.vehicle = v, .dofs = 6 * v->bodies, .speed = speed, .middle = middle(v)};
+    *t = (struct train){.vehicle = v, .dofs = 6 * v->bodies, .speed = speed, .middle = middle(v), .h = h};
     const char *why = couplings_memory_new(&t->memory, v);
     t->q = calloc(7 * n, sizeof *t->q);
     t->line = calloc((size_t)v->bodies, sizeof *t->line);
@@ -54,8 +56,29 @@ void train_free(struct train *t)
 {
     free(t->q);
     free(t->line);
+    free(t->S);
     couplings_memory_free(&t->memory);
     *t = (struct train){0};
+}
+
+/* What is prescribed has no share in it. */
+const char *train_imply(struct train *t)
+{
+    const struct veh *v = t->vehicle;
+    const int64_t n = t->dofs;
+    const double h = t->h;
+
+    if (!(t->S = calloc((size_t)(n * n) + 1, sizeof *t->S)))
+        return REASON_MEMORY;
+    for (int64_t i = 0; i < n; i++) {
+        for (int64_t j = 0; j < n; j++)
+            if (t->inverse[i] > 0 && t->inverse[j] > 0)
+                t->S[i * n + j] = 0.5 * h * v->C[i * n + j] + 0.25 * h * h * v->K[i * n + j];
+        t->S[i * n + i] += t->inverse[i] > 0 ? 1 / t->inverse[i] : 1;
+    }
+    if (n > 0 && LAPACKE_dpotrf(LAPACK_COL_MAJOR, 'L', (lapack_int)n, t->S, (lapack_int)n) != 0)
+        return "the implicit scheme finds no factor of the vehicle's matrices";
+    return NULL;
 }
 
 void train_locate(struct train *t, const struct alignment *a, double s)
@@ -91,18 +114,46 @@ static void localise(struct train *t)
     }
 }
 
-void train_in_frame(const struct train *t, int64_t i, double q[6], double v[6])
+/* Where the frame of body i has it, and how it carries it: d offset/dt = heading v,  d heading/dt = curvature v,  d cant/dt = twist v. */
+static void frame_of(const struct train *t, int64_t i, double place[6], double rate[6])
 {
     const struct alignment_point *p = &t->line[i];
-    double place[6], rate[6];
 
     frame_at(t, i, p->offset, p->heading, p->cant, place);
-    /* d offset/dt = heading v,  d heading/dt = curvature v,  d cant/dt = twist v */
     frame_at(t, i, p->heading * t->speed, p->curvature * t->speed, p->twist * t->speed, rate);
+}
+
+void train_in_frame(const struct train *t, int64_t i, double q[6], double v[6])
+{
+    double place[6], rate[6];
+
+    frame_of(t, i, place, rate);
     for (int k = 0; k < 6; k++) {
         q[k] = t->q[6 * i + k] - place[k];
         v[k] = t->v[6 * i + k] - rate[k];
     }
+}
+
+void train_put(struct train *t, int64_t i, const double q[6], const double v[6])
+{
+    double place[6], rate[6];
+
+    frame_of(t, i, place, rate);
+    for (int k = 0; k < 6; k++) {
+        t->q[6 * i + k] = place[k] + q[k];
+        t->v[6 * i + k] = rate[k] + v[k];
+    }
+}
+
+void train_carried(const struct train *t, int64_t i, double a[6])
+{
+    frame_at(t, i, t->line[i].curvature * t->speed * t->speed, 0, 0, a);
+}
+
+void train_level(struct train *t)
+{
+    memset(t->line, 0, (size_t)t->vehicle->bodies * sizeof *t->line);
+    t->tangent = (struct alignment_point){0};
 }
 
 /* Acceleration of body i by its weight in axes rolled by the cant, with what of the centripetal acceleration along them is not yet in its
@@ -167,12 +218,48 @@ static void add_wheels(struct train *t, int64_t i, const struct wheel_output w[2
     f[VEH_YAW] -= H * rate[VEH_ROLL];
 }
 
-void train_keep(struct train *t, double h)
+static void foresee(struct train *t)
 {
-    couplings_keep(&t->memory, h);
+    const double h = t->h;
+
+    for (int64_t k = 0; k < t->dofs; k++) {
+        const double a0 = t->a[k], a = 2 * a0 - t->before[k];
+        t->q[k] += h * t->v[k] + 0.25 * h * h * (a0 + a);
+        t->v[k] += 0.5 * h * (a0 + a);
+        t->before[k] = a0;
+        t->a[k] = a;
+    }
 }
 
-void train_accelerate(struct train *t, const struct wheel_output *w)
+void train_advance(struct train *t)
+{
+    couplings_keep(&t->memory, t->h);
+    if (t->S)
+        foresee(t);
+    else
+        two_step(t->dofs, t->h, t->q, t->v, t->a, t->before);
+}
+
+double train_correct(struct train *t)
+{
+    const lapack_int n = (lapack_int)t->dofs;
+    const double h = t->h;
+    double most = 0;
+
+    for (int64_t k = 0; k < t->dofs; k++)
+        t->local[k] = t->inverse[k] > 0 ? t->f[k] - t->a[k] / t->inverse[k] : 0;
+    LAPACKE_dpotrs_work(LAPACK_COL_MAJOR, 'L', n, 1, t->S, n, t->local, n);
+    for (int64_t k = 0; k < t->dofs; k++) {
+        const double da = t->local[k], move = 0.25 * h * h * da;
+        t->a[k] += da;
+        t->v[k] += 0.5 * h * da;
+        t->q[k] += move;
+        most = fmax(most, fabs(move));
+    }
+    return most;
+}
+
+void train_force(struct train *t, const struct wheel_output *w)
 {
     const struct veh *v = t->vehicle;
 
@@ -187,6 +274,11 @@ void train_accelerate(struct train *t, const struct wheel_output *w)
     couplings_force(v, &t->memory, t->local, t->v, t->f);
     for (int64_t i = 0; i < v->wheelsets; i++)
         add_wheels(t, i, w + 2 * i);
+}
+
+void train_accelerate(struct train *t, const struct wheel_output *w)
+{
+    train_force(t, w);
     for (int64_t k = 0; k < t->dofs; k++)
         t->a[k] = t->f[k] * t->inverse[k];
 }

@@ -25,10 +25,16 @@ struct train {
     struct alignment_point tangent; /* the alignment there now */
     double *local;                  /* [dofs] q against that tangent */
     struct couplings_memory memory; /* of friction and series dampers */
+    double h;                       /* s, of a step */
+    double *S;                      /* [dofs][dofs] Cholesky factor of M + h/2 C + h^2/4 K; NULL: the explicit scheme */
 };
 
-const char *train_new(struct train *t, const struct veh *v, double speed);
+/* In steps of h s, by the explicit scheme until told otherwise. */
+const char *train_new(struct train *t, const struct veh *v, double speed, double h);
 void train_free(struct train *t);
+
+/* Steps are taken by average acceleration from here on. */
+const char *train_imply(struct train *t);
 
 /* The alignment under every body, the front wheelset at station s. */
 void train_locate(struct train *t, const struct alignment *a, double s);
@@ -36,11 +42,19 @@ void train_locate(struct train *t, const struct alignment *a, double s);
 /* Position, rates and spin of wheelset i (from 0) in its own frame into in. */
 void train_wheelset(const struct train *t, int64_t i, struct wheel_input *in);
 
-/* Before a step of h s: what the couplings remember is the present. */
-void train_keep(struct train *t, double h);
+/* One step on.  Explicit: Zhai's, done with that.  Implicit, with a the mean of the accelerations now and a step before (Newmark 1959),
+ *   q = q0 + h v0 + h^2/4 (a0 + a),   v = v0 + h/2 (a0 + a),
+ * with a foreseen along a straight line; train_correct then brings it to M a = f(q, v). */
+void train_advance(struct train *t);
 
-/* Accelerations from q, v and the wheel forces w [wheelsets][2]. */
+/* Forces f from q, v and the wheel forces w [wheelsets][2]. */
+void train_force(struct train *t, const struct wheel_output *w);
+
+/* Accelerations of these forces. */
 void train_accelerate(struct train *t, const struct wheel_output *w);
+
+/* Implicit: S da = f - M a, by the stiffness about rest; a, v and q follow.  Returns the largest move of a body, m or rad. */
+double train_correct(struct train *t);
 
 /* What accelerometers on body i read, in its frame: the acceleration in space less the fall of gravity, that of level track set to
  * zero.  So its forces but for m g along z are m a, canted or not. */
@@ -48,5 +62,14 @@ void train_felt(const struct train *t, int64_t i, double a[6]);
 
 /* Displacement and rate of body i in its own frame. */
 void train_in_frame(const struct train *t, int64_t i, double q[6], double v[6]);
+
+/* The opposite: body i has this displacement and rate in its own frame. */
+void train_put(struct train *t, int64_t i, const double q[6], const double v[6]);
+
+/* Into a its acceleration when it keeps its place in that frame; between changes of curvature and of the cant's slope. */
+void train_carried(const struct train *t, int64_t i, double a[6]);
+
+/* As if the alignment were straight and level, until the next train_locate. */
+void train_level(struct train *t);
 
 #endif

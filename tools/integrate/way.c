@@ -1,6 +1,6 @@
 #include "tools/integrate/way.h"
 #include "formats/reason.h"
-#include "tools/integrate/two_step.h"
+#include "tools/track/rails.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -89,8 +89,6 @@ const char *way_new(struct way *w, const struct trk *t, double gravity, double s
     const char *why;
 
     *w = (struct way){.scheme = scheme, .because = "the case asks for it", .track = t, .gravity = gravity, .step = step, .limit = HUGE_VAL, .at_rest = 1};
-    if (trk_is_spatial(t))
-        return "wheels do not move the rails of a spatial track sideways yet: a run wants dofs: vertical";
     why = scheme == WAY_AUTO ? choose(w, gravity) : scheme == WAY_EXPLICIT ? begin_explicit(w, gravity) : begin_implicit(w, gravity);
     if (why)
         way_free(w);
@@ -153,11 +151,19 @@ void way_resume(struct way *w)
 static void advance_lumped(struct way *w)
 {
     struct lumped *l = &w->lumped;
-    const int64_t n = LUMPED_PARTS * l->stride;
 
     if (w->at_rest)
-        memcpy(l->before, l->a, (size_t)n * sizeof *l->a);
-    two_step(n, w->step, l->u, l->v, l->a, l->before);
+        memcpy(l->before, l->a, (size_t)(LUMPED_PARTS * l->stride) * sizeof *l->a);
+    lumped_step(l, w->step);
+    w->accelerated = 1;
+}
+
+/* A step has done it already, unless this is not the first time. */
+static void accelerate_lumped(struct way *w)
+{
+    if (!w->accelerated)
+        lumped_accelerate(&w->lumped);
+    w->accelerated = 0;
 }
 
 void way_advance(struct way *w)
@@ -171,7 +177,15 @@ void way_advance(struct way *w)
 
 struct wheel_place way_find(const struct way *w, int rail, double x)
 {
-    return wheel_place_find(w->track, is_explicit(w) ? w->lumped.beam[rail] : w->newmark.beam[rail], x);
+    const struct trk *t = w->track;
+    struct wheel_place p = wheel_place_find(t, is_explicit(w) ? w->lumped.beam[rail] : w->newmark.beam[rail], x);
+
+    if (trk_is_spatial(t)) {
+        const struct beam b = rails_lateral_beam(t, rail, p.node);
+        head_find(&p.head, &b, t->rail_torsion[rail * (t->nodes - 1) + p.node], x - b.from, *t->rail_head, trk_rail_dof(t, rail, p.node),
+                  trk_rail_dof(t, rail, p.node + 1));
+    }
+    return p;
 }
 
 void way_load(struct way *w, int rail, const struct wheel_place *p, double F)
@@ -182,11 +196,17 @@ void way_load(struct way *w, int rail, const struct wheel_place *p, double F)
         newmark_load(&w->newmark, rail, p, F);
 }
 
+void way_load_head(struct way *w, const struct head_place *p, const struct head_force *F)
+{
+    direction_load(&p->y, F->Y, w->newmark.f);
+    direction_load(&p->twist, F->M, w->newmark.f);
+}
+
 /* At rest the implicit one stays where statics put it. */
 void way_move(struct way *w)
 {
     if (is_explicit(w))
-        lumped_accelerate(&w->lumped);
+        accelerate_lumped(w);
     else if (!w->at_rest)
         newmark_move(&w->newmark);
 }
@@ -228,12 +248,22 @@ void way_look(const struct way *w, int rail, const struct wheel_place *p, struct
         look_newmark(&w->newmark, rail, p, r);
     if (way_yields(w))
         look_give(&w->newmark, rail, p, r);
+    if (trk_is_spatial(w->track))
+        way_look_head(w, &p->head, &r->head, &r->head_turn, r->yield);
 }
 
-double way_acceleration(const struct way *w, int rail, const struct wheel_place *p)
+void way_look_head(const struct way *w, const struct head_place *p, struct head_motion *h, double *turn, double yield[3])
 {
-    return is_explicit(w) ? lumped_sample(&w->lumped, rail, p, p->shape, w->lumped.a)
-                          : newmark_sample(&w->newmark, rail, p, p->shape, w->newmark.a);
+    const struct newmark *m = &w->newmark;
+
+    *h = (struct head_motion){direction_sample(&p->y, m->u), newmark_speed(m, &p->y), direction_sample(&p->slope, m->u),
+                              direction_sample(&p->twist, m->u), newmark_speed(m, &p->twist)};
+    *turn = direction_sample(&p->turn, m->u);
+    if (!way_yields(w))
+        return;
+    yield[0] = direction_give(&p->y, &p->y, m->Z, m->beyond);
+    yield[1] = direction_give(&p->y, &p->twist, m->Z, m->beyond);
+    yield[2] = direction_give(&p->twist, &p->twist, m->Z, m->beyond);
 }
 
 void way_finish(struct way *w)

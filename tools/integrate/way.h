@@ -24,6 +24,7 @@ struct way {
     const struct trk *track;            /* must outlive this */
     double gravity, step;               /* m/s2, s */
     double limit;                       /* s, of a stable step; HUGE_VAL */
+    int accelerated;                    /* the explicit one: by way_advance */
     int at_rest;                        /* not moved yet: the state is what way_set gave */
     struct lumped lumped;               /* the one, */
     struct newmark newmark;             /* or the other */
@@ -43,6 +44,11 @@ struct way_rail {
     double give, give_other;            /* m/N what a force gives within the step under it, and at the same place of the other rail */
     double turn, turn_other;            /* 1/N the same of the slope */
     double quick;                       /* 1/s rate of that over it */
+
+    /* Of a spatial rail. */
+    struct head_motion head;            /* of its nodes; vroll is the material's */
+    double head_turn;                   /* 1/m change of its roll along it */
+    double yield[3];                    /* m/N, 1/N, rad/(N m) what its head gives within the step, to the side by Y and M and in twist by M */
 };
 
 /* Fails where the scheme asked for does not hold on this track or with this step. */
@@ -67,6 +73,7 @@ void way_advance(struct way *w);
 
 struct wheel_place way_find(const struct way *w, int rail, double x);
 void way_load(struct way *w, int rail, const struct wheel_place *p, double F);
+void way_load_head(struct way *w, const struct head_place *p, const struct head_force *F);
 void way_move(struct way *w);
 
 /* Whether the rails give to forces within this step. */
@@ -80,8 +87,8 @@ double way_unrest(const struct way *w);
 
 void way_look(const struct way *w, int rail, const struct wheel_place *p, struct way_rail *r);
 
-/* m/s2, of the rail's material at the place: after way_finish. */
-double way_acceleration(const struct way *w, int rail, const struct wheel_place *p);
+/* The head of a spatial rail, or of a check rail, and what it yields as in struct way_rail. */
+void way_look_head(const struct way *w, const struct head_place *p, struct head_motion *m, double *turn, double yield[3]);
 
 /* Forces in pads and ballast, and all that is shown above. */
 void way_finish(struct way *w);

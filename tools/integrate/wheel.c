@@ -25,24 +25,27 @@ const char *wheel_meet(const struct wheel_input *in, struct wheel_approach *a)
 {
     double u = in->y - in->roll * in->radius - in->rail_y - in->line;
 
-    a->n = contact_lookup(in->table, in->s, in->yaw - in->line_slope, u, in->roll, a->c);
+    a->n = contact_lookup(in->table, in->s, in->yaw - in->line_slope - in->rail_turn, u, in->roll - in->rail_roll, a->c);
     if (a->n < 0)
         return reason("the wheel is %.1f mm beside its rail, which is beyond the contact table", 1e3 * u);
-    for (int k = 0; k < a->n; k++)
+    for (int k = 0; k < a->n; k++) {
+        a->c[k].row[CTAB_ANGLE] += in->rail_roll;
         a->cosg[k] = cos(a->c[k].row[CTAB_ANGLE]);
+        a->sing[k] = sin(a->c[k].row[CTAB_ANGLE]);
+    }
     return NULL;
 }
 
 /* reach = z + roll b - height(u, roll, s) - rail - dip, all vertical, b the running circle's y. */
 static void find_reach(const struct wheel_input *in, struct wheel_approach *a)
 {
-    double b = in->table->wheel_position, vu = in->vy - in->vroll * in->radius - in->rail_vy - in->line_slope * in->v;
+    double b = in->table->wheel_position, vu = in->vy - in->vroll * in->radius - in->rail_vy - (in->line_slope + in->rail_turn) * in->v;
 
     for (int k = 0; k < a->n; k++) {
         const struct contact *c = &a->c[k];
         a->reach[k] = in->z + in->roll * b - c->height - in->rail_z - in->dip;
-        a->rate[k] = in->vz + in->vroll * b - c->height_u * vu - c->height_roll * in->vroll - c->height_yaw * in->vyaw - c->height_s * in->v -
-                     in->rail_v - in->rail_slope * in->v - in->dip_slope * in->v;
+        a->rate[k] = in->vz + in->vroll * b - c->height_u * vu - c->height_roll * (in->vroll - in->rail_vroll) - c->height_yaw * in->vyaw -
+                     c->height_s * in->v - in->rail_v - in->rail_slope * in->v - in->dip_slope * in->v;
     }
 }
 
@@ -100,15 +103,15 @@ double wheel_press(const struct wheel_law *law, const struct wheel_input *in, co
  * omega x r, omega = (roll' - spin yaw, spin, yaw' + spin roll); the rail comes along x at v(1 - curvature y).  Sideways the material moves
  * by sy; as fast as wheel and rail approach, `rate` downwards, it goes into the contact plane, and along it by the rest:
  * -sy sin g + sz cos g = rate cos g, eta v = sy cos g + sz sin g.  Where contact lies ahead of the axle needs not be known for that. */
-static void creepages(const struct wheel_input *in, const double r[3], double track_y, double angle, double rate, double creep[3])
+static void creepages(const struct wheel_input *in, const double r[3], double track_y, double cosg, double sing, double rate, double creep[3])
 {
     double wx = in->vroll - in->spin * in->yaw, wy = in->spin, wz = in->vyaw + in->spin * in->roll;
     double sx = wy * r[2] - wz * r[1] + in->v * (1 - in->curvature * track_y);
     double sy = in->vy + wz * r[0] - wx * r[2] - in->rail_vy;
 
     creep[0] = sx / in->v;
-    creep[1] = (sy / cos(angle) + rate * sin(angle)) / in->v;
-    creep[2] = ((wz + in->curvature * in->v) * cos(angle) - wy * sin(angle)) / in->v;
+    creep[1] = (sy / cosg + rate * sing) / in->v;
+    creep[2] = ((wz + in->curvature * in->v) * cosg - wy * sing) / in->v;
 }
 
 /* G a b C22 cos^2 g / v: how lateral creep of the linear theory resists the rail's moving sideways. */
@@ -133,13 +136,14 @@ static void add_contact(const struct wheel_law *law, const struct wheel_input *i
 {
     const struct ctab *t = in->table;
     const double *row = a->c[k].row;
-    double N = a->N[k], w = a->c[k].weight, root = cbrt(N), g = row[CTAB_ANGLE], cosg = a->cosg[k], sing = sin(g);
+    double N = a->N[k], w = a->c[k].weight, root = cbrt(N), g = row[CTAB_ANGLE], cosg = a->cosg[k], sing = a->sing[k];
     double y = t->rail_position + in->rail_y + in->line + row[CTAB_RAIL_Y], z = rail_z + row[CTAB_RAIL_Z];
     double semi_a = row[CTAB_HERTZ_A] * root, semi_b = row[CTAB_HERTZ_B] * root;
     double r[3] = {row[CTAB_X], y - in->y, z - in->z + in->radius}, creep[3], T[3], F[3], M[3];
 
-    creepages(in, r, y, g, a->rate[k], creep);
-    double mu = friction_of(&law->varied, law->friction, t->side, in->s, row[CTAB_BODY], g, in->v * hypot(creep[0], creep[1]));
+    creepages(in, r, y, cosg, sing, a->rate[k], creep);
+    const double s = t->turned ? -in->s : in->s;
+    double mu = friction_of(&law->varied, law->friction, t->turned ? t->turned->side : t->side, s, row[CTAB_BODY], g, in->v * hypot(creep[0], creep[1]));
     if (law->creep)
         creep_table(law->creep, semi_a, semi_b, N, mu, t->shear_modulus, t->poisson, creep[0], creep[1], creep[2], T);
     else

@@ -35,7 +35,11 @@ struct wheel_input {
     double vy, vz, vroll, vyaw;  /* their rates */
     double spin;                 /* rad/s about the axle, about -v/r0 */
     double radius;               /* m, r0 */
-    double rail_y, rail_vy;      /* m, m/s of the rail to the right, and its rate */
+    double rail_y, rail_vy;      /* m, m/s of the rail's running surface to the right, and its rate */
+    double rail_turn;            /* 1 slope of that along s, of a spatial rail */
+    double rail_roll, rail_vroll; /* rad, rad/s of a spatial rail about its axis, under the running circle; the rate under the wheel */
+    double check_y, check_vy;    /* m, m/s of a check rail that is a beam, to the right, without its force; the rate beside the wheel */
+    double check_give, check_quick; /* m/N, m/(N s) what its force gives, and the rate of that */
     double rail_z;               /* m deflection of the rail, from its nodes */
     double rail_v;               /* m/s velocity of the rail's material */
     double rail_slope;           /* 1 dw/dx */
@@ -50,6 +54,10 @@ struct wheel_memory {
     double local, before;        /* m deflection of the rail element under the wheel, between its nodes; a step before that */
     double creep_z;              /* N vertical part of the creep force, a step old while the normal force is sought */
     double Q, Q_before;          /* N on the rail a step ago, and the step before that */
+    double dip, line;            /* m of the rail's irregularity there */
+    double Y, Y_before;          /* N, N m on a spatial rail, likewise: struct head_force */
+    double M, M_before;
+    double check;                /* N on a check rail that is a beam, a step ago */
 };
 
 struct wheel_patch {
@@ -79,7 +87,7 @@ void wheel_condense(struct wheel_law *law, double stiffness, double damping, dou
 struct wheel_approach {
     int n;
     struct contact c[CONTACT_MAX];
-    double cosg[CONTACT_MAX];    /* 1 cosine of the contact angle */
+    double cosg[CONTACT_MAX], sing[CONTACT_MAX]; /* 1 cosine and sine of the contact angle */
     double reach[CONTACT_MAX];   /* m how far the wheel stands below first touch, d not counted */
     double rate[CONTACT_MAX];    /* m/s */
     double N[CONTACT_MAX];       /* N of the whole contact; its share is weight N */

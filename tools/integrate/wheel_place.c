@@ -1,7 +1,7 @@
 #include "tools/integrate/wheel_place.h"
 
-/* Nodes stand evenly or nearly so: guess, then walk. */
-int64_t wheel_place_element(const struct trk *t, double x)
+/* The element, by the node behind, under station x.  Nodes stand evenly or nearly so: guess, then walk. */
+static int64_t element_under(const struct trk *t, double x)
 {
     const double *node = t->x;
     int64_t last = t->nodes - 2, i = (int64_t)((x - node[0]) / (node[last + 1] - node[0]) * (double)(last + 1));
@@ -16,7 +16,7 @@ int64_t wheel_place_element(const struct trk *t, double x)
 
 struct wheel_place wheel_place_find(const struct trk *t, const struct beam *beam, double x)
 {
-    struct wheel_place p = {.node = wheel_place_element(t, x)};
+    struct wheel_place p = {.node = element_under(t, x)};
     const struct beam *b = &beam[p.node];
     const double a = x - b->from;
 

@@ -5,6 +5,7 @@
 #define VX_INTEGRATE_WHEEL_PLACE_H
 
 #include "formats/trk.h"
+#include "tools/integrate/head.h"
 #include "tools/track/beam.h"
 
 struct wheel_place {
@@ -12,10 +13,8 @@ struct wheel_place {
     double shape[4];      /* of [w t w t] */
     double slope[4];      /* 1/m their derivatives by x */
     double compliance;    /* m/N of the loaded element with held ends */
+    struct head_place head;    /* of a spatial rail, by way_find alone */
 };
-
-/* The element, by the node behind, under station x. */
-int64_t wheel_place_element(const struct trk *t, double x);
 
 /* beam [nodes - 1]: the elements of the rail; x must lie between the first and the last node. */
 struct wheel_place wheel_place_find(const struct trk *t, const struct beam *beam, double x);

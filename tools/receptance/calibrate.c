@@ -320,7 +320,7 @@ const char *calibrate_track(struct calibration *c, const struct trk *t, const st
     for (int p = 0; p < CALIBRATE_N; p++)
         fitted += fit[p];
     if (2 * m->n <= fitted)
-        return reason("%lld frequencies are too few for %d parameters", (long long)m->n, fitted);
+        return reason("%d parameters want %d frequencies or more within the range, there are %lld", fitted, fitted / 2 + 1, (long long)m->n);
     const char *why = model_new(&s, t, m);
     if (!why)
         why = evaluate(&s, theta, &of);

@@ -91,6 +91,15 @@ static int is_number(const char *text, double *value)
     return end > text && !*end && strspn(text, "+-.0123456789eE") == strlen(text);
 }
 
+const char *place_near(const struct trk *t, double near)
+{
+    const double first = t->x[0], last = t->x[t->nodes - 1];
+
+    if (near > PLACE_MIDDLE && !(near >= first && near <= last))
+        return reason("%g must be %g to %g, where the rails are", near, first, last);
+    return NULL;
+}
+
 const char *place_named(struct place *p, const struct trk *t, int on, const char *where, double near, int lateral)
 {
     const double first = t->x[0], last = t->x[t->nodes - 1];
@@ -105,8 +114,6 @@ const char *place_named(struct place *p, const struct trk *t, int on, const char
         return reason("\"%s\" must be sleeper, midspan or a station in m", where);
     if (at == AT_STATION && !(x >= first && x <= last))
         return reason("%g must be %g to %g, where the rails are", x, first, last);
-    if (lateral && !trk_is_spatial(t))
-        return "a vertical track does not move sideways: lateral wants one of dofs: spatial";
     (lateral ? place_find_lateral : place_find)(p, t, on, at, x);
     return NULL;
 }

@@ -29,7 +29,10 @@ void place_find_lateral(struct place *p, const struct trk *t, int on, int at, do
 
 #define PLACE_MIDDLE -1e9                /* m, as near: the middle of the track */
 
-/* The place that `where` names: sleeper or midspan, the one nearest to `near` (m), or a station in m on the rails; lateral or not. */
+/* Whether `near` is on the rails. */
+const char *place_near(const struct trk *t, double near);
+
+/* The place that `where` names: sleeper or midspan, the one nearest to `near` (m), or a station in m on the rails; lateral, of a spatial track, or not. */
 const char *place_named(struct place *p, const struct trk *t, int on, const char *where, double near, int lateral);
 
 /* f [dofs] += a force at p; and the motion there of u [dofs]. */

@@ -11,6 +11,7 @@
 #include "tools/receptance/direct.h"
 
 static const double FREQUENCIES_MOST = 1e7;
+static const double ROUNDING = 1e-12;
 
 /* m/N, of the places moved by the nodes alone; u [dofs][2] is work space. */
 static const char *response(struct direct *d, const struct place *force, const struct place *motion, double frequency, double *u,
@@ -60,6 +61,15 @@ static const char *solve_all(const struct trk *t, const struct place *force, con
     return why;
 }
 
+/* Whether the element's own deflection tells anywhere in hermite, exact [n][2]: not a rounding beside a node. */
+static int differ(int64_t n, const double *hermite, const double *exact)
+{
+    for (int64_t i = 0; i < n; i++)
+        if (hypot(exact[2 * i] - hermite[2 * i], exact[2 * i + 1] - hermite[2 * i + 1]) > ROUNDING * hypot(exact[2 * i], exact[2 * i + 1]))
+            return 1;
+    return 0;
+}
+
 static void name(const struct place *p, struct frf_place *to)
 {
     snprintf(to->on, sizeof to->on, "%s", place_on[p->on]);
@@ -92,8 +102,9 @@ const char *sweep_places(struct frf *r, const struct trk *t, const struct place 
     r->frequency = frequency;
     r->H = exact;
     r->hermite = hermite;
-    r->hermites = place_held(force, &seen, t) > 0 ? n : 0;
     for (int64_t i = 0; i < n; i++)
         frequency[i] = s->from + (double)i * s->step;
-    return solve_all(t, force, &seen, quantity, n, frequency, hermite, exact);
+    const char *why = solve_all(t, force, &seen, quantity, n, frequency, hermite, exact);
+    r->hermites = !why && differ(n, hermite, exact) ? n : 0;
+    return why;
 }

@@ -11,7 +11,7 @@
 #include "formats/reason.h"
 
 static const double WHOLE = 1e-6;      /* a multiple may be off by this part of a bin */
-static const double EXCITED = 1e-12;   /* of the largest power of the force: below, it excites nothing */
+static const double EXCITED = 1e-4;    /* of the largest power of the force: below, it is what leaks from elsewhere */
 
 /* Spectra summed over segments, at the bins wanted. */
 struct spectra {
@@ -63,23 +63,25 @@ static void add_segment(const struct transfer *t, int64_t first, struct work *w,
     }
 }
 
-static const char *divide(const struct transfer *t, const struct spectra *s, int64_t n, const double *frequency, double *H, double *hermite,
-                          double *coherence)
+/* The frequencies [n] that the force excites come first; returns how many. */
+static int64_t divide(const struct transfer *t, const struct spectra *s, int64_t n, double *frequency, double *H, double *hermite,
+                      double *coherence)
 {
     double most = 0;
+    int64_t kept = 0;
 
     for (int64_t k = 0; k < n; k++)
         most = fmax(most, s->FF[k]);
-    for (int64_t k = 0; k < n; k++) {
-        if (!(s->FF[k] > EXCITED * most))
-            return reason("at %g Hz: the force excites nothing", frequency[k]);
-        H[2 * k] = s->re[k] / s->FF[k];
-        H[2 * k + 1] = s->im[k] / s->FF[k];
-        hermite[2 * k] = H[2 * k] - t->held;
-        hermite[2 * k + 1] = H[2 * k + 1];
-        coherence[k] = s->zz[k] > 0 ? fmin(1, (s->re[k] * s->re[k] + s->im[k] * s->im[k]) / (s->FF[k] * s->zz[k])) : 0;
-    }
-    return NULL;
+    for (int64_t k = 0; k < n; k++)
+        if (s->FF[k] > EXCITED * most) {
+            frequency[kept] = frequency[k];
+            H[2 * kept] = s->re[k] / s->FF[k];
+            H[2 * kept + 1] = s->im[k] / s->FF[k];
+            hermite[2 * kept] = H[2 * kept] - t->held;
+            hermite[2 * kept + 1] = H[2 * kept + 1];
+            coherence[kept++] = s->zz[k] > 0 ? fmin(1, (s->re[k] * s->re[k] + s->im[k] * s->im[k]) / (s->FF[k] * s->zz[k])) : 0;
+        }
+    return kept;
 }
 
 /* A force on a node leaves nothing, but for rounding, to the element beside it. */
@@ -143,17 +145,19 @@ const char *transfer_estimate(struct frf *r, const struct transfer *t, const str
     struct spectra sum = {spare, spare + n, spare + 2 * n, spare + 3 * n};
     for (int64_t k = 0; k < n; k++)
         frequency[k] = s->from + (double)k * s->step;
-    if ((why = sum_segments(t, s, n, &sum, &segments)) || (why = divide(t, &sum, n, frequency, H, hermite, coherence))) {
+    why = sum_segments(t, s, n, &sum, &segments);
+    const int64_t kept = why ? 0 : divide(t, &sum, n, frequency, H, hermite, coherence);
+    if (kept == 0) {
         free(frequency);
-        return why;
+        return why ? why : reason("from %g to %g Hz the force excites nothing", s->from, s->to);
     }
     r->store = frequency;
-    r->n = n;
+    r->n = kept;
     r->frequency = frequency;
     r->H = H;
     r->hermite = hermite;
-    r->hermites = differs(H, hermite, n) ? n : 0;
+    r->hermites = differs(H, hermite, kept) ? kept : 0;
     r->coherence = coherence;
-    r->coherences = segments > 1 ? n : 0;
+    r->coherences = segments > 1 ? kept : 0;
     return NULL;
 }

@@ -20,7 +20,7 @@ struct transfer {
 };
 
 /* Fills n, frequency, H, hermite where held is not 0, and coherence where there are two segments or more, of *r, which frf_free empties.  The
- * frequencies of s must be multiples of 1/(segment step). */
+ * frequencies of s must be multiples of 1/(segment step); those where the force has less than 1e-4 of its largest power are left out. */
 const char *transfer_estimate(struct frf *r, const struct transfer *t, const struct sweep *s);
 
 #endif

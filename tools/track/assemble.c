@@ -8,27 +8,10 @@
 
 #include "formats/reason.h"
 #include "tools/track/assemble_spatial.h"
+#include "tools/track/matrix.h"
 #include "tools/track/rails.h"
 
 static const double GUIDE = 1e6;       /* Hz, natural frequency of what is held, beyond all that a track is asked for */
-
-/* The matrix X being filled, on the pattern of the track. */
-struct matrix { const int64_t *Ap, *Ai; double *x; };
-
-static void add(const struct matrix *X, int64_t i, int64_t j, double value)
-{
-    for (int64_t p = X->Ap[j]; p < X->Ap[j + 1]; p++)
-        if (X->Ai[p] == i)
-            X->x[p] += value;
-}
-
-/* dof, d: [n] */
-static void add_spring(const struct matrix *X, double k, int n, const int64_t *dof, const double *d)
-{
-    for (int i = 0; i < n; i++)
-        for (int j = 0; j < n; j++)
-            add(X, dof[i], dof[j], k * (d[i] * d[j]));
-}
 
 /* Entries: 2 x 2 at each node and rail and 2 x 4 to the next node, 2 x 2 of each sleeper and 2 x 2 to each rail. */
 static int64_t count_entries(const struct trk *t)
@@ -82,7 +65,7 @@ static void add_element(const struct trk *t, const struct matrix *X, int rail, i
 
     for (int a = 0; a < 4; a++)
         for (int b = 0; b < 4; b++)
-            add(X, dof[a], dof[b], x[a][b]);
+            matrix_add(X, dof[a], dof[b], x[a][b]);
 }
 
 static void add_beams(const struct trk *t, const struct matrix *K, const struct matrix *M)
@@ -110,7 +93,8 @@ void assemble_ballast(const struct trk *t, double *x, int64_t spring, double k)
 {
     const int64_t s = spring % t->sleepers, z = t->sleeper_dof[s];
 
-    add_spring(&(struct matrix){t->Ap, t->Ai, x}, k, 2, (int64_t[]){z, z + 1}, (double[]){1, rolls(t, s) ? t->ballast_y[spring] : 0});
+    matrix_add_spring(&(struct matrix){NULL, t->Ap, t->Ai, x}, k, 2, (int64_t[]){z, z + 1},
+                      (double[]){1, rolls(t, s) ? t->ballast_y[spring] : 0});
 }
 
 /* pad [2][sleepers] and ballast [3][sleepers]: stiffness for K, damping for C.  Ballast that does not touch has no part. */
@@ -119,9 +103,9 @@ static void add_supports(const struct trk *t, const struct matrix *X, const doub
     for (int64_t s = 0; s < t->sleepers; s++) {
         const int64_t z = t->sleeper_dof[s], roll = z + 1;
         for (int rail = 0; rail < TRK_RAILS; rail++) {
-            const double arm = rolls(t, s) ? (rail == TRK_LEFT ? -0.5 : 0.5) * t->rail_spacing - t->sleeper_y[s] : 0;
-            add_spring(X, pad[rail * t->sleepers + s], 3, (int64_t[]){t->node_dof[t->sleeper_node[s]] + 2 * rail, z, roll},
-                       (double[]){1, -1, -arm});                   /* e = w - (z + arm roll) */
+            const double arm = rolls(t, s) ? trk_pad_arm(t, rail, s) : 0;
+            matrix_add_spring(X, pad[rail * t->sleepers + s], 3, (int64_t[]){t->node_dof[t->sleeper_node[s]] + 2 * rail, z, roll},
+                              (double[]){1, -1, -arm});                   /* e = w - (z + arm roll) */
         }
         for (int b = 0; b < TRK_BALLAST; b++)
             if (t->ballast_state[b * t->sleepers + s] != TRK_OPEN)
@@ -131,8 +115,8 @@ static void add_supports(const struct trk *t, const struct matrix *X, const doub
 
 static void hold_dof(const struct matrix *K, const struct matrix *M, int64_t dof, double stiffness)
 {
-    add(K, dof, dof, stiffness);
-    add(M, dof, dof, stiffness / ((2 * M_PI * GUIDE) * (2 * M_PI * GUIDE)));
+    matrix_add(K, dof, dof, stiffness);
+    matrix_add(M, dof, dof, stiffness / ((2 * M_PI * GUIDE) * (2 * M_PI * GUIDE)));
 }
 
 /* Of a moving mass, a single node of each rail, what must not turn stands alone in its row: no force reaches it. */
@@ -150,13 +134,13 @@ static void add_masses(const struct trk *t, const struct matrix *M)
     for (int rail = 0; rail < TRK_RAILS; rail++)
         for (int64_t i = 0; i < t->nodes; i++) {
             const int64_t w = t->node_dof[i] + 2 * rail;
-            add(M, w, w, t->rail_mass[rail * t->nodes + i]);
-            add(M, w + 1, w + 1, t->rail_inertia[rail * t->nodes + i]);
+            matrix_add(M, w, w, t->rail_mass[rail * t->nodes + i]);
+            matrix_add(M, w + 1, w + 1, t->rail_inertia[rail * t->nodes + i]);
         }
     for (int64_t s = 0; s < t->sleepers; s++) {
         const int64_t z = t->sleeper_dof[s];
-        add(M, z, z, t->sleeper_mass[s]);
-        add(M, z + 1, z + 1, t->sleeper_inertia[s]);
+        matrix_add(M, z, z, t->sleeper_mass[s]);
+        matrix_add(M, z + 1, z + 1, t->sleeper_inertia[s]);
     }
 }
 
@@ -173,11 +157,11 @@ const char *assemble_track(struct trk *t)
     fill_pattern(t, Ap, Ai);
     t->Ap = Ap;
     t->Ai = Ai;
-    add_beams(t, &(struct matrix){Ap, Ai, K}, &(struct matrix){Ap, Ai, M});
-    add_supports(t, &(struct matrix){Ap, Ai, K}, t->pad_k, t->ballast_k);
-    add_supports(t, &(struct matrix){Ap, Ai, C}, t->pad_c, t->ballast_c);
-    hold(t, &(struct matrix){Ap, Ai, K}, &(struct matrix){Ap, Ai, M});
-    add_masses(t, &(struct matrix){Ap, Ai, M});
+    add_beams(t, &(struct matrix){NULL, Ap, Ai, K}, &(struct matrix){NULL, Ap, Ai, M});
+    add_supports(t, &(struct matrix){NULL, Ap, Ai, K}, t->pad_k, t->ballast_k);
+    add_supports(t, &(struct matrix){NULL, Ap, Ai, C}, t->pad_c, t->ballast_c);
+    hold(t, &(struct matrix){NULL, Ap, Ai, K}, &(struct matrix){NULL, Ap, Ai, M});
+    add_masses(t, &(struct matrix){NULL, Ap, Ai, M});
     t->Kx = K;
     t->Cx = C;
     t->Mx = M;

@@ -9,17 +9,10 @@
 #include "tools/track/assemble_spatial.h"
 
 #include "formats/reason.h"
-#include "tools/track/pattern.h"
+#include "tools/track/matrix.h"
 #include "tools/track/rails.h"
 
 enum { HALF = 3 * TRK_SPATIAL_RAIL + TRK_SPATIAL_SLEEPER + TRK_SPATIAL_RAIL - 1 };     /* bandwidth: a rail's first and its last dof ahead */
-
-/* What the entries go to: first the pattern, then a matrix on it. */
-struct matrix {
-    struct pattern *pattern;           /* or NULL */
-    const int64_t *Ap, *Ai;
-    double *x;
-};
 
 /* An element of a rail: numbers of w at its ends, and what it is made of. */
 struct bar {
@@ -35,25 +28,6 @@ struct foot {
     double vertical, lateral;
 };
 
-static void add(const struct matrix *X, int64_t i, int64_t j, double value)
-{
-    if (X->pattern) {
-        pattern_mark(X->pattern, i, j);
-        return;
-    }
-    for (int64_t p = X->Ap[j]; p < X->Ap[j + 1]; p++)
-        if (X->Ai[p] == i)
-            X->x[p] += value;
-}
-
-/* dof, d: [n] */
-static void add_spring(const struct matrix *X, double k, int n, const int64_t *dof, const double *d)
-{
-    for (int i = 0; i < n; i++)
-        for (int j = 0; j < n; j++)
-            add(X, dof[i], dof[j], k * (d[i] * d[j]));
-}
-
 /* x [4][4] of [w t] at either end into the degrees of freedom from `first`; turn is 1 of w and pitch = -dw/dx, -1 of y and yaw = dy/dx. */
 static void add_bending(const struct matrix *X, const struct bar *b, int first, double turn, double x[4][4])
 {
@@ -62,7 +36,7 @@ static void add_bending(const struct matrix *X, const struct bar *b, int first, 
 
     for (int i = 0; i < 4; i++)
         for (int j = 0; j < 4; j++)
-            add(X, dof[i], dof[j], sign[i] * sign[j] * x[i][j]);
+            matrix_add(X, dof[i], dof[j], sign[i] * sign[j] * x[i][j]);
 }
 
 static void add_bar(const struct matrix *K, const struct matrix *M, const struct bar *b)
@@ -75,7 +49,7 @@ static void add_bar(const struct matrix *K, const struct matrix *M, const struct
     add_bending(K, b, TRK_W, 1, x);
     beam_stiffness(&b->lateral, x);
     add_bending(K, b, TRK_Y, -1, x);
-    add_spring(K, b->torsion / L, 2, twist, (double[]){1, -1});
+    matrix_add_spring(K, b->torsion / L, 2, twist, (double[]){1, -1});
     if (!(b->vertical.mass > 0))
         return;
     beam_mass(&b->vertical, x);
@@ -84,7 +58,7 @@ static void add_bar(const struct matrix *K, const struct matrix *M, const struct
     add_bending(M, b, TRK_Y, -1, x);
     for (int i = 0; i < 2; i++)
         for (int j = 0; j < 2; j++)
-            add(M, twist[i], twist[j], i == j ? third : third / 2);    /* twist straight between the ends */
+            matrix_add(M, twist[i], twist[j], i == j ? third : third / 2);    /* twist straight between the ends */
 }
 
 static struct bar rail_bar(const struct trk *t, int rail, int64_t i)
@@ -124,12 +98,12 @@ static void add_fastening(const struct trk *t, const struct matrix *X, const str
     const int64_t r = f->dof, s = t->sleeper_dof[sleeper];
     const double across = *t->pad_width * *t->pad_width / 12, along = *t->pad_length * *t->pad_length / 12;
 
-    add_spring(X, f->vertical, 3, (int64_t[]){r + TRK_W, s + TRK_Z, s + TRK_ROLL}, (double[]){1, -1, -f->arm});
-    add_spring(X, f->lateral, 4, (int64_t[]){r + TRK_Y, r + TRK_TWIST, s + TRK_SLEEPER_Y, s + TRK_ROLL},
-               (double[]){1, -f->depth, -1, -*t->sleeper_seat});
-    add_spring(X, f->vertical * across, 2, (int64_t[]){r + TRK_TWIST, s + TRK_ROLL}, (double[]){1, -1});
-    add_spring(X, f->vertical * along, 1, (int64_t[]){r + TRK_PITCH}, (double[]){1});
-    add_spring(X, f->lateral * along, 2, (int64_t[]){r + TRK_YAW, s + TRK_SLEEPER_YAW}, (double[]){1, -1});
+    matrix_add_spring(X, f->vertical, 3, (int64_t[]){r + TRK_W, s + TRK_Z, s + TRK_ROLL}, (double[]){1, -1, -f->arm});
+    matrix_add_spring(X, f->lateral, 4, (int64_t[]){r + TRK_Y, r + TRK_TWIST, s + TRK_SLEEPER_Y, s + TRK_ROLL},
+                      (double[]){1, -f->depth, -1, -*t->sleeper_seat});
+    matrix_add_spring(X, f->vertical * across, 2, (int64_t[]){r + TRK_TWIST, s + TRK_ROLL}, (double[]){1, -1});
+    matrix_add_spring(X, f->vertical * along, 1, (int64_t[]){r + TRK_PITCH}, (double[]){1});
+    matrix_add_spring(X, f->lateral * along, 2, (int64_t[]){r + TRK_YAW, s + TRK_SLEEPER_YAW}, (double[]){1, -1});
 }
 
 /* Stiffness for K, damping for C: pad, side [2][sleepers] vertical and lateral, check [2] of the check rail. */
@@ -140,8 +114,7 @@ static void add_fastenings(const struct trk *t, const struct matrix *X, const do
     for (int64_t s = 0; s < t->sleepers; s++) {
         for (int rail = 0; rail < TRK_RAILS; rail++) {
             const int64_t k = rail * t->sleepers + s;
-            add_fastening(t, X, &(struct foot){trk_rail_dof(t, rail, t->sleeper_node[s]),
-                                               (rail == TRK_LEFT ? -0.5 : 0.5) * t->rail_spacing - t->sleeper_y[s], *t->rail_foot, pad[k],
+            add_fastening(t, X, &(struct foot){trk_rail_dof(t, rail, t->sleeper_node[s]), trk_pad_arm(t, rail, s), *t->rail_foot, pad[k],
                                                side[k]}, s);
         }
         while (c < t->check_nodes && t->check_node[c] < t->sleeper_node[s])
@@ -158,9 +131,9 @@ static void add_ballast(const struct trk *t, const struct matrix *X, const doubl
         const int64_t z = t->sleeper_dof[s];
         for (int64_t k = s; k < TRK_BALLAST * t->sleepers; k += t->sleepers)
             if (t->ballast_state[k] != TRK_OPEN)
-                add_spring(X, ballast[k], 2, (int64_t[]){z + TRK_Z, z + TRK_ROLL}, (double[]){1, t->ballast_y[k]});
-        add(X, z + TRK_SLEEPER_Y, z + TRK_SLEEPER_Y, side[s]);
-        add(X, z + TRK_SLEEPER_YAW, z + TRK_SLEEPER_YAW, yaw[s]);
+                matrix_add_spring(X, ballast[k], 2, (int64_t[]){z + TRK_Z, z + TRK_ROLL}, (double[]){1, t->ballast_y[k]});
+        matrix_add(X, z + TRK_SLEEPER_Y, z + TRK_SLEEPER_Y, side[s]);
+        matrix_add(X, z + TRK_SLEEPER_YAW, z + TRK_SLEEPER_YAW, yaw[s]);
     }
 }
 
@@ -171,12 +144,12 @@ static void add_masses(const struct trk *t, const struct matrix *M)
             const int64_t w = trk_rail_dof(t, rail, i), k = rail * t->nodes + i;
             const double m[TRK_SPATIAL_RAIL] = {t->rail_mass[k], t->rail_inertia[k], t->rail_mass[k], t->rail_yaw[k], t->rail_twist[k]};
             for (int part = 0; part < TRK_SPATIAL_RAIL; part++)
-                add(M, w + part, w + part, m[part]);
+                matrix_add(M, w + part, w + part, m[part]);
         }
     for (int64_t s = 0; s < t->sleepers; s++) {
         const double m[TRK_SPATIAL_SLEEPER] = {t->sleeper_mass[s], t->sleeper_inertia[s], t->sleeper_mass[s], t->sleeper_yaw[s]};
         for (int part = 0; part < TRK_SPATIAL_SLEEPER; part++)
-            add(M, t->sleeper_dof[s] + part, t->sleeper_dof[s] + part, m[part]);
+            matrix_add(M, t->sleeper_dof[s] + part, t->sleeper_dof[s] + part, m[part]);
     }
 }
 

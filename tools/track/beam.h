@@ -3,7 +3,9 @@
  * x forward, z down.  Its four degrees of freedom are [w1 t1 w2 t2]: deflection w down and pitch t, right-handed about y, of its near
  * and far cross-section; t = -dw/dx where shear deforms nothing.  a is the distance from the near end, b = L - a.
  *
- * Stiffness, shapes and compliance are exact for loads at the ends and at a, at rest; the mass matrix moves with those shapes. */
+ * Stiffness, shapes and compliance are exact for loads at the ends and at a, at rest; the mass matrix moves with those shapes, and where shear deforms
+ * adds the sag of the inside under its own inertia, m L^2/(12 kappa G A) K, as if the ends moved
+ * in a free vibration (flexure.c). */
 #ifndef VX_TRACK_BEAM_H
 #define VX_TRACK_BEAM_H
 

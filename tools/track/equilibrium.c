@@ -128,7 +128,7 @@ static double slope(const struct equilibrium *e, double dKd, double a)
 }
 
 /* The part of the way from u to next with the least energy, at most all of it. */
-static double way(struct equilibrium *e, const double *u, const double *next)
+static double find_part(struct equilibrium *e, const double *u, const double *next)
 {
     const double dKd = curvature(&e->tangent, u, next);
     double low = 0, high = 1;
@@ -157,7 +157,7 @@ const char *equilibrium_find(struct equilibrium *e, const double *f, double *u)
             return reason("no static equilibrium on the ballast after %d rounds", ROUNDS_MOST);
         if ((why = factor(e, u, &newton)) || (why = solve(e, f, e->next)))
             return why;
-        part = way(e, u, e->next);
+        part = find_part(e, u, e->next);
         for (int64_t i = 0; i < e->track->dofs; i++)
             u[i] = part < 1 ? u[i] + part * (e->next[i] - u[i]) : e->next[i];
     }

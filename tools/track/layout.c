@@ -49,7 +49,7 @@ static const char *check_centres(const struct trk *t, const struct trk_text *in)
     for (int64_t s = 0; s < t->sleepers; s++) {
         const double half = along_at(&in->sleeper.length, in, t->sleeper_x[s]) / 2;
         for (int rail = 0; rail < TRK_RAILS; rail++) {
-            const double y = (rail == TRK_LEFT ? -0.5 : 0.5) * t->rail_spacing - t->sleeper_y[s];
+            const double y = trk_pad_arm(t, rail, s);
             if (fabs(y) > half)
                 return reason("sleeper.centre: the %s rail, %g m beside the middle of sleeper %lld, is beyond its end at %g m",
                               rail == TRK_LEFT ? "left" : "right", fabs(y), (long long)t->sleeper_number[s], half);

@@ -12,7 +12,16 @@ struct seat {
     int64_t number;       /* of its sleeper */
 };
 
-/* load (N, down) on each rail that excite names; the answer is that of one loaded rail, left where both are. */
+/* s [TRK_RAILS]: load (N, down) on each rail that excite names; of a rail that it does not name, what it does all the same. */
 const char *seat_load(struct seat *s, const struct trk *t, const struct point *p, int excite, double load);
+
+/* Whether both rails do the same, but for rounding. */
+int seat_alike(const struct seat *a, const struct seat *b);
+
+enum { SEAT_NUMBER, SEAT_LEFT, SEAT_RIGHT, SEAT_BALLAST, SEAT_BEARS };
+
+/* force [sleepers][SEAT_BEARS]: number of each sleeper, and what load (N, down) on each rail that excite names adds at every axle [axles] (m)
+ * to the force of its left and its right railpad and of the ballast under it (N, down). */
+const char *seat_bearers(const struct trk *t, int excite, double load, int axles, const double *axle, double *force);
 
 #endif

@@ -20,7 +20,13 @@ struct couplings_memory {
 const char *couplings_memory_new(struct couplings_memory *m, const struct veh *v);
 void couplings_memory_free(struct couplings_memory *m);
 
+/* As new. */
+void couplings_relax(struct couplings_memory *m);
+
 /* The present becomes the past of a step h s. */
 void couplings_keep(struct couplings_memory *m, double h);
+
+/* Frictions hold no force at the present positions, dampers have relaxed. */
+void couplings_centre(const struct veh *v, struct couplings_memory *m);
 
 #endif

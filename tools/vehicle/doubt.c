@@ -11,6 +11,7 @@ static const double mass_least = 50, mass_most = 200e3;                /* kg, of
 static const double wheelset_least = 300, wheelset_most = 5e3;         /* kg */
 static const double radius_least = 0.15, radius_most = 0.75;           /* m, of a wheel */
 static const double gyration_least = 0.05, gyration_most = 20;         /* m */
+static const double below_rail = 1;                                    /* m, of the box of a body */
 static const double bounce_least = 0.3, bounce_most = 200;             /* Hz */
 static const double stiffness_least = 1e3, stiffness_most = 1e10;      /* N/m */
 static const double turning_least = 10, turning_most = 1e11;           /* N m/rad */
@@ -18,6 +19,8 @@ static const double damping_least = 10, damping_most = 1e8;            /* N s/m,
 static const double relax_least = 1e-6, relax_most = 5;                /* s, damping over stiffness */
 static const double off_body = 1.5;                                    /* m, of a coupling from the body's box */
 static const double sides_apart = 0.01, wheels_apart = 0.1;            /* of the mean wheel load */
+static const double bent_most = 0.5;                                   /* m, of a spring at rest */
+static const double pulled_least = 10;                                 /* N, of a spring at rest in tension */
 static const double load_least = 2e3, load_most = 200e3;               /* N, of a wheel */
 static const char *const ALONG[VEH_DOFS] = {"along x", "along y", "along z", "about x", "about y", "about z"};
 
@@ -46,6 +49,14 @@ double doubt_bounce(const struct veh *v, int64_t i)
     return sqrt(fmax(v->K[n * z + z], 0) / v->mass[i]) / (2 * M_PI);
 }
 
+/* m, half of the box of uniform density with the inertias of body i along axis k */
+static double half_box(const struct veh *v, int64_t i, int k)
+{
+    const double *J = &v->inertia[3 * i];
+
+    return 0.5 * sqrt(fmax(6 * (J[(k + 1) % 3] + J[(k + 2) % 3] - J[k]) / v->mass[i], 0));
+}
+
 static void doubt_body(const struct veh *v, int64_t i, struct doubts *d)
 {
     const double *J = &v->inertia[3 * i], m = v->mass[i], bounce = doubt_bounce(v, i);
@@ -60,22 +71,42 @@ static void doubt_body(const struct veh *v, int64_t i, struct doubts *d)
         if (J[k] > (J[(k + 1) % 3] + J[(k + 2) % 3]) * (1 + 1e-9))
             add(d, "body %s: no body has these inertias, that %s is more than the other two", name, ALONG[VEH_ROLL + k]);
     }
+    if (!wheelset && v->cg[3 * i + 2] + half_box(v, i, 2) > below_rail)
+        add(d, "body %s: a box of its inertias, %.2f m high, reaches %.2f m below the rails", name, 2 * half_box(v, i, 2),
+            v->cg[3 * i + 2] + half_box(v, i, 2));
     if (!wheelset && bounce > 0 && outside(bounce, bounce_least, bounce_most))
         add(d, "body %s: %.3g Hz up and down by itself on its springs", name, bounce);
 }
 
-/* How far p lies outside the box of uniform density with the inertias of body i. */
+/* How far p lies outside that box. */
 static double away(const struct veh *v, int64_t i, const double p[3])
 {
-    const double *J = &v->inertia[3 * i];
     double sum = 0;
 
     for (int k = 0; k < 3; k++) {
-        const double half = 0.5 * sqrt(fmax(6 * (J[(k + 1) % 3] + J[(k + 2) % 3] - J[k]) / v->mass[i], 0));
-        const double beyond = fmax(fabs(p[k] - v->cg[3 * i + k]) - half, 0);
+        const double beyond = fmax(fabs(p[k] - v->cg[3 * i + k]) - half_box(v, i, k), 0);
         sum += beyond * beyond;
     }
     return sqrt(sum);
+}
+
+/* Of a vertical spring at rest: compressed where it pushes the lower of its bodies down. */
+static void doubt_rest(const struct veh *v, int64_t c, struct doubts *d)
+{
+    const double force = v->preload[3 * c + VEH_Z], K = v->stiffness[VEH_DOFS * c + VEH_Z];
+    const int first_below = v->cg[3 * v->ends[2 * c] + VEH_Z] > v->cg[3 * v->ends[2 * c + 1] + VEH_Z];
+    const double pushes = first_below ? force : -force;
+    const int64_t last = v->knot_first[c + 1] - 1;
+    const int table = v->type[c] == VEH_SPRING && last > v->knot_first[c];
+    const double bent = table ? v->rest[c] : K > 0 ? force / K : 0;
+
+    if (pushes < -pulled_least)
+        add(d, "coupling %s: pulls with %.4g N at rest", v->coupling_name[c], -pushes);
+    if (fabs(bent) > bent_most)
+        add(d, "coupling %s: bent by %.3g m at rest", v->coupling_name[c], fabs(bent));
+    if (table && force != 0 && outside(v->rest[c], v->knot_at[v->knot_first[c]], v->knot_at[last]))
+        add(d, "coupling %s: at rest at %.4g m, beyond its table of %.4g to %.4g m", v->coupling_name[c], v->rest[c], v->knot_at[v->knot_first[c]],
+            v->knot_at[last]);
 }
 
 static void doubt_coupling(const struct veh *v, int64_t c, struct doubts *d)
@@ -140,6 +171,7 @@ void doubt_find(const struct veh *v, struct doubts *d)
     for (int64_t c = 0; c < v->couplings; c++) {
         doubt_coupling(v, c, d);
         doubt_table(v, c, d);
+        doubt_rest(v, c, d);
     }
     doubt_wheels(v, d);
 }

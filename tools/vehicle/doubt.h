@@ -12,7 +12,8 @@ struct doubts {
 };
 
 /* Adds what is doubtful in v: masses, inertias and wheel radii out of a railway's range, inertias of no body, a body that would bounce by itself
- * below 0.3 or above 200 Hz, stiffness and damping out of range or of each other's, couplings far from their bodies, wheel loads apart.
+ * below 0.3 or above 200 Hz or whose box reaches below the rails, springs that pull at rest, are bent by more than 0.5 m or lie beyond their table,
+ * stiffness and damping out of range or of each other's, couplings far from their bodies, wheel loads apart.
  * Where v was not brought to rest, its matrices and loads 0, what follows from these is left out. */
 void doubt_find(const struct veh *v, struct doubts *d);
 

@@ -6,8 +6,8 @@
 
 #include "formats/reason.h"
 #include "tools/vehicle/check.h"
+#include "tools/vehicle/couplings_lay.h"
 #include "tools/vehicle/linear.h"
-#include "tools/vehicle/place.h"
 #include "tools/vehicle/statics.h"
 
 static const char *make_room(struct veh *v, struct vehicle_parts *p)
@@ -29,7 +29,7 @@ static const char *make_room(struct veh *v, struct vehicle_parts *p)
     return NULL;
 }
 
-static void place_bodies(struct vehicle_parts *p, const struct veh_text *in)
+static void lay_bodies(struct vehicle_parts *p, const struct veh_text *in)
 {
     const struct veh_text_body *b = in->parts.body.item;
     const struct veh_text_wheelset *w = in->parts.wheelset.item;
@@ -66,8 +66,8 @@ const char *vehicle_build(struct veh *v, const struct veh_text *in)
     v->wheelsets = in->parts.wheelset.n;
     if ((why = make_room(v, &p)))
         return why;
-    place_bodies(&p, in);
-    if ((why = place_couplings(v, &p, &in->parts)) || (why = veh_check(v)) ||
+    lay_bodies(&p, in);
+    if ((why = couplings_lay(v, &p, &in->parts)) || (why = veh_check(v)) ||
         (why = statics_rest(v, p.given, p.preload, p.rest, p.wheel_load)))
         return why;
     linear_matrices(v, p.M, p.C, p.K);

@@ -1,6 +1,6 @@
 /* Repeatable random numbers: the same seed gives the same sequence everywhere. */
-#ifndef VX_INTEGRATE_RANDOM_H
-#define VX_INTEGRATE_RANDOM_H
+#ifndef VX_FORMATS_RANDOM_H
+#define VX_FORMATS_RANDOM_H
 
 #include <stdint.h>
 
@@ -11,7 +11,7 @@ struct random {
 /* Any seed. */
 void random_begin(struct random *r, uint64_t seed);
 
-/* Within 0..1, neither end included. */
+/* Within 0..1, 0 included. */
 double random_uniform(struct random *r);
 
 /* Two independent normal numbers of mean 0 and deviation 1. */

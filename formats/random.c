@@ -1,5 +1,5 @@
 /* splitmix64 (Steele, Lea and Flood 2014, OOPSLA), normal numbers after Box and Muller 1958. */
-#include "tools/integrate/random.h"
+#include "formats/random.h"
 
 #include <math.h>
 
@@ -19,12 +19,18 @@ static uint64_t next(struct random *r)
 
 double random_uniform(struct random *r)
 {
+    return (double)(next(r) >> 11) / 9007199254740992.0; /* 2^53 */
+}
+
+/* Neither end included: it has a logarithm. */
+static double within(struct random *r)
+{
     return ((double)(next(r) >> 12) + 0.5) / 4503599627370496.0; /* 2^52 */
 }
 
 void random_normal(struct random *r, double x[2])
 {
-    const double radius = sqrt(-2 * log(random_uniform(r))), angle = 2 * M_PI * random_uniform(r);
+    const double radius = sqrt(-2 * log(within(r))), angle = 2 * M_PI * within(r);
 
     x[0] = radius * cos(angle);
     x[1] = radius * sin(angle);

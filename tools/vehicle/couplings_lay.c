@@ -1,5 +1,5 @@
 /* One kind after the other, each right one followed by its mirrored twin. */
-#include "tools/vehicle/place.h"
+#include "tools/vehicle/couplings_lay.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -64,7 +64,7 @@ static int64_t body_named(const struct veh *v, const char *name)
     return i;
 }
 
-static void place_point(const struct yaml_nums *at, int side, double *to)
+static void lay_point(const struct yaml_nums *at, int side, double *to)
 {
     to[0] = at->x[0];
     to[1] = side < 0 ? -at->x[1] : at->x[1];
@@ -72,15 +72,15 @@ static void place_point(const struct yaml_nums *at, int side, double *to)
 }
 
 /* The next coupling: the right or left one (side 1, -1) of a mirrored pair, or as written (side 0).  Returns its number. */
-static int64_t place_one(const struct veh *v, struct vehicle_parts *p, struct cursor *at, enum veh_coupling type,
+static int64_t lay_one(const struct veh *v, struct vehicle_parts *p, struct cursor *at, enum veh_coupling type,
                          const struct veh_text_place *t, int side)
 {
     int64_t c = at->coupling++, first = v->bodies - v->wheelsets;       /* wheelsets come last */
     int mirrored = side && (t->at.x[1] < 0) != (side < 0) ? -1 : 1;     /* whichever side was written */
 
     snprintf(p->coupling_name[c], sizeof p->coupling_name[c], "%s%s", t->name, side > 0 ? "-r" : side < 0 ? "-l" : "");
-    place_point(&t->at, mirrored, &p->point[3*c]);
-    place_point(t->end.n ? &t->end : &t->at, mirrored, &p->end[3*c]);
+    lay_point(&t->at, mirrored, &p->point[3*c]);
+    lay_point(t->end.n ? &t->end : &t->at, mirrored, &p->end[3*c]);
     p->type[c] = type;
     p->ends[2*c] = body_named(v, t->from);
     p->ends[2*c + 1] = body_named(v, t->to);
@@ -90,7 +90,7 @@ static int64_t place_one(const struct veh *v, struct vehicle_parts *p, struct cu
     return c;
 }
 
-static void place_table(struct vehicle_parts *p, struct cursor *at, int64_t c, const struct yaml_nums *table)
+static void lay_table(struct vehicle_parts *p, struct cursor *at, int64_t c, const struct yaml_nums *table)
 {
     for (int64_t m = 0; m < table->n; m += 2, at->knot++) {
         p->knot_at[at->knot] = table->x[m];
@@ -100,7 +100,7 @@ static void place_table(struct vehicle_parts *p, struct cursor *at, int64_t c, c
 }
 
 /* Three numbers or none. */
-static void place_three(const struct yaml_nums *from, double *to)
+static void lay_three(const struct yaml_nums *from, double *to)
 {
     for (int64_t m = 0; m < from->n; m++)
         to[m] = from->x[m];
@@ -111,65 +111,65 @@ static void place_three(const struct yaml_nums *from, double *to)
 /* Each side of t, 1 and -1 of a mirrored one, else 0. */
 #define SIDES(t) int side = (t).place.mirror; side >= -(t).place.mirror; side -= 2
 
-static void place_bushings(const struct veh *v, struct vehicle_parts *p, const struct yaml_list *list, struct cursor *at)
+static void lay_bushings(const struct veh *v, struct vehicle_parts *p, const struct yaml_list *list, struct cursor *at)
 {
     const struct veh_text_coupling *t = list->item;
 
     for (int64_t i = 0; i < list->n; i++)
         for (SIDES(t[i])) {
-            int64_t c = place_one(v, p, at, VEH_BUSHING, &t[i].place, side);
-            place_three(&t[i].stiffness, &p->stiffness[VEH_DOFS*c]);
-            place_three(&t[i].rotation, &p->stiffness[VEH_DOFS*c + VEH_ROLL]);
-            place_three(&t[i].damping, &p->damping[VEH_DOFS*c]);
-            place_three(&t[i].rotation_damping, &p->damping[VEH_DOFS*c + VEH_ROLL]);
+            int64_t c = lay_one(v, p, at, VEH_BUSHING, &t[i].place, side);
+            lay_three(&t[i].stiffness, &p->stiffness[VEH_DOFS*c]);
+            lay_three(&t[i].rotation, &p->stiffness[VEH_DOFS*c + VEH_ROLL]);
+            lay_three(&t[i].damping, &p->damping[VEH_DOFS*c]);
+            lay_three(&t[i].rotation_damping, &p->damping[VEH_DOFS*c + VEH_ROLL]);
         }
 }
 
-static void place_stops(const struct veh *v, struct vehicle_parts *p, const struct yaml_list *list, struct cursor *at)
+static void lay_stops(const struct veh *v, struct vehicle_parts *p, const struct yaml_list *list, struct cursor *at)
 {
     const struct veh_text_stop *t = list->item;
 
     for (int64_t i = 0; i < list->n; i++)
         for (SIDES(t[i])) {
-            int64_t c = place_one(v, p, at, VEH_STOP, &t[i].place, side);
+            int64_t c = lay_one(v, p, at, VEH_STOP, &t[i].place, side);
             p->axis[c] = t[i].axis;
-            place_table(p, at, c, &t[i].table);
+            lay_table(p, at, c, &t[i].table);
         }
 }
 
-static void place_springs(const struct veh *v, struct vehicle_parts *p, const struct yaml_list *list, struct cursor *at)
+static void lay_springs(const struct veh *v, struct vehicle_parts *p, const struct yaml_list *list, struct cursor *at)
 {
     const struct veh_text_spring *t = list->item;
 
     for (int64_t i = 0; i < list->n; i++)
         for (SIDES(t[i])) {
-            int64_t c = place_one(v, p, at, VEH_SPRING, &t[i].place, side);
+            int64_t c = lay_one(v, p, at, VEH_SPRING, &t[i].place, side);
             p->axis[c] = t[i].axis;
             p->given[c] = t[i].preload;
-            place_table(p, at, c, &t[i].table);
+            lay_table(p, at, c, &t[i].table);
         }
 }
 
-static void place_dampers(const struct veh *v, struct vehicle_parts *p, const struct yaml_list *list, struct cursor *at)
+static void lay_dampers(const struct veh *v, struct vehicle_parts *p, const struct yaml_list *list, struct cursor *at)
 {
     const struct veh_text_damper *t = list->item;
 
     for (int64_t i = 0; i < list->n; i++)
         for (SIDES(t[i])) {
-            int64_t c = place_one(v, p, at, VEH_DAMPER, &t[i].place, side);
+            int64_t c = lay_one(v, p, at, VEH_DAMPER, &t[i].place, side);
             p->axis[c] = t[i].axis;
             p->series[c] = t[i].series;
-            place_table(p, at, c, &t[i].table);
+            lay_table(p, at, c, &t[i].table);
         }
 }
 
-static void place_rods(const struct veh *v, struct vehicle_parts *p, const struct yaml_list *list, struct cursor *at)
+static void lay_rods(const struct veh *v, struct vehicle_parts *p, const struct yaml_list *list, struct cursor *at)
 {
     const struct veh_text_rod *t = list->item;
 
     for (int64_t i = 0; i < list->n; i++)
         for (SIDES(t[i])) {
-            int64_t c = place_one(v, p, at, VEH_ROD, &t[i].place, side);
+            int64_t c = lay_one(v, p, at, VEH_ROD, &t[i].place, side);
             p->stiffness[VEH_DOFS*c] = t[i].stiffness;
             p->damping[VEH_DOFS*c] = t[i].damping;
         }
@@ -191,15 +191,15 @@ static int64_t spring_named(const struct vehicle_parts *p, int64_t c, const char
     return found;
 }
 
-static const char *place_frictions(const struct veh *v, struct vehicle_parts *p, const struct yaml_list *list, struct cursor *at)
+static const char *lay_frictions(const struct veh *v, struct vehicle_parts *p, const struct yaml_list *list, struct cursor *at)
 {
     const struct veh_text_friction *t = list->item;
 
     for (int64_t i = 0; i < list->n; i++)
         for (SIDES(t[i])) {
-            int64_t c = place_one(v, p, at, VEH_FRICTION, &t[i].place, side);
-            place_three(&t[i].stiffness, &p->stiffness[VEH_DOFS*c]);
-            place_three(&t[i].rotation, &p->stiffness[VEH_DOFS*c + VEH_ROLL]);
+            int64_t c = lay_one(v, p, at, VEH_FRICTION, &t[i].place, side);
+            lay_three(&t[i].stiffness, &p->stiffness[VEH_DOFS*c]);
+            lay_three(&t[i].rotation, &p->stiffness[VEH_DOFS*c + VEH_ROLL]);
             p->coefficient[c] = t[i].coefficient;
             p->load[c] = t[i].load;
             p->share[c] = t[i].share;
@@ -210,7 +210,7 @@ static const char *place_frictions(const struct veh *v, struct vehicle_parts *p,
     return NULL;
 }
 
-const char *place_couplings(struct veh *v, struct vehicle_parts *p, const struct veh_text_parts *in)
+const char *couplings_lay(struct veh *v, struct vehicle_parts *p, const struct veh_text_parts *in)
 {
     struct cursor at = {0};
     const char *why;
@@ -218,10 +218,10 @@ const char *place_couplings(struct veh *v, struct vehicle_parts *p, const struct
     count(v, in);
     if ((why = make_room(v, p)))
         return why;
-    place_bushings(v, p, &in->coupling, &at);
-    place_stops(v, p, &in->stop, &at);
-    place_springs(v, p, &in->spring, &at);
-    place_dampers(v, p, &in->damper, &at);
-    place_rods(v, p, &in->rod, &at);
-    return place_frictions(v, p, &in->friction, &at);
+    lay_bushings(v, p, &in->coupling, &at);
+    lay_stops(v, p, &in->stop, &at);
+    lay_springs(v, p, &in->spring, &at);
+    lay_dampers(v, p, &in->damper, &at);
+    lay_rods(v, p, &in->rod, &at);
+    return lay_frictions(v, p, &in->friction, &at);
 }

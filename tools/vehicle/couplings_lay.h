@@ -1,6 +1,6 @@
-/* The couplings of a vehicle input in their places: numbered, mirrored, with the numbers of their bodies. */
-#ifndef VX_VEHICLE_PLACE_H
-#define VX_VEHICLE_PLACE_H
+/* From the couplings of a vehicle input to those of a vehicle: numbered, mirrored, with the numbers of their bodies. */
+#ifndef VX_VEHICLE_COUPLINGS_LAY_H
+#define VX_VEHICLE_COUPLINGS_LAY_H
 
 #include "formats/veh.h"
 #include "formats/veh_text.h"
@@ -15,6 +15,6 @@ struct vehicle_parts {
 };
 
 /* Takes room for all arrays of couplings and knots and fills them from the input, preloads aside.  The bodies are in place. */
-const char *place_couplings(struct veh *v, struct vehicle_parts *p, const struct veh_text_parts *in);
+const char *couplings_lay(struct veh *v, struct vehicle_parts *p, const struct veh_text_parts *in);
 
 #endif
